@@ -1,0 +1,45 @@
+// What every estimate of a state looks like to a search.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "search/task/ids.hpp"
+
+namespace praxis {
+
+/// All variables' values, derived ones included, one after the other.
+using StateView = std::span<const std::int32_t>;
+
+/// An estimate of the cost or distance to the goal, or kDeadEnd.
+using Estimate = std::int32_t;
+inline constexpr Estimate kDeadEnd = std::numeric_limits<Estimate>::max();
+
+/// How a component counts operator costs: as they are, as one each, or as cost plus one (unless all costs are one).
+enum class CostType : std::uint8_t { normal, one, plus_one };
+
+/// Estimates states of one task; owns scratch memory and so belongs to one thread. A heuristic is an evaluator whose
+/// estimates are goal distances.
+class Evaluator {
+  public:
+    virtual ~Evaluator() = default;
+    Evaluator() = default;
+    Evaluator(const Evaluator&) = delete;
+    Evaluator& operator=(const Evaluator&) = delete;
+
+    /// `state` is complete. Costs at least the work of one virtual call: never call it more than once a state.
+    virtual Estimate evaluate(StateView state) = 0;
+
+    /// Preferred operators of the state last evaluated, in no particular order, without repetition; valid until the next
+    /// call. Computed only after `request_preferred()`.
+    virtual std::span<const OperatorId> preferred() const { return {}; }
+    virtual void request_preferred() {}
+
+    /// kDeadEnd is a proof that no plan starts in the state.
+    virtual bool safe() const = 0;
+    virtual bool admissible() const = 0;
+    virtual bool consistent() const = 0;
+};
+
+}  // namespace praxis

@@ -1,0 +1,122 @@
+// The public header of praxis: load a task, ground it once, plan as often as needed.
+//
+//     praxis::Task task = praxis::load("domain.pddl", "problem.pddl");
+//     praxis::Session session(task);
+//     praxis::Result result = session.plan(praxis::alias("agile"));
+//     if (result.plan) std::cout << praxis::to_string(*result.plan, *task);
+//
+// Sessions are independent of each other and may run on different threads; one session belongs to one thread at a time.
+// The same task, configuration and seed give the same plan. Input errors are praxis::InputError (from `load`); wrong
+// use is std::invalid_argument; a search that fails is a status.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/parser.hpp"
+#include "search/budget.hpp"
+#include "search/ground/ground.hpp"
+#include "search/plan.hpp"
+#include "search/task/finite_domain_task.hpp"
+
+namespace praxis {
+
+/// Which search to run: an expression such as "lazy_greedy([ff()],preferred=[ff()])".
+struct Configuration {
+    std::string expression;
+    std::uint64_t seed = 0;
+    int threads = 1;
+};
+
+/// The configuration behind a name ("agile", ...). Throws std::invalid_argument with the names there are.
+Configuration alias(const std::string& name);
+/// An expression as a configuration; the expression is checked here. Throws std::invalid_argument with place and mend.
+Configuration configuration(const std::string& expression);
+
+enum class Status : std::uint8_t {
+    solved,              ///< there is a plan
+    unsolvable_early,    ///< proved before search (exit code 10)
+    unsolvable,          ///< proved by search (11)
+    failed,              ///< searched in vain, without a proof (12)
+    out_of_memory,       ///< (22)
+    out_of_time,         ///< (23)
+    interrupted,         ///< by the stop token
+};
+
+/// Numbers a search reports, while it runs and at its end.
+struct SearchStatistics {
+    double seconds = 0;            ///< wall time of the search so far
+    std::uint64_t expanded = 0, evaluated = 0, generated = 0, reopened = 0, dead_ends = 0;
+    std::uint64_t registered_states = 0;
+    double bytes_per_state = 0;    ///< packed state, duplicate set and search node together
+    std::size_t peak_memory = 0;   ///< of the process, bytes
+    std::optional<std::int32_t> best_estimate;  ///< lowest heuristic value seen
+};
+
+struct Result {
+    Status status = Status::failed;
+    std::optional<Plan> plan;  ///< the best plan found, whatever ended the search
+    SearchStatistics statistics;
+    bool optimal = false;      ///< the search proved that no plan is cheaper
+};
+
+/// What a caller may watch. Both are called on the planning thread.
+struct Callbacks {
+    std::function<void(const Plan&)> on_plan;                 ///< each better plan, as found
+    std::function<void(const SearchStatistics&)> on_progress; ///< a few times a second
+};
+
+/// A ground atom for `set_initial_state` and `set_goal`.
+struct Atom {
+    PredicateId predicate;
+    std::vector<ObjectId> arguments;
+    friend bool operator==(const Atom&, const Atom&) = default;
+};
+
+/// A goal condition: the atom holds, or (negated) does not.
+struct GoalLiteral {
+    Atom atom;
+    bool negated = false;
+};
+
+struct SessionOptions {
+    GroundOptions ground;
+    /// The initial state and the goal will change: ground without pruning by the goal.
+    bool replanning = true;
+};
+
+class Session {
+  public:
+    /// Grounds the task. If the budget runs out, every `plan` says so.
+    explicit Session(Task task, const SessionOptions& options = {}, const Budget& budget = {});
+    ~Session();
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+
+    /// Plans from the current initial state to the current goal. Throws std::invalid_argument for a configuration that is wrong.
+    Result plan(const Configuration& configuration, const Budget& budget = {}, const Callbacks& callbacks = {});
+
+    /// The atoms that hold (complete; closed world; static atoms may be left out and then keep their value).
+    /// Grounds again only if an atom is new to the ground task. Throws std::invalid_argument for unknown ids,
+    /// wrong arity or types, and derived predicates.
+    void set_initial_state(const std::vector<Atom>& atoms);
+    /// A conjunction of literals. Grounds again only if a literal is new to the ground task.
+    void set_goal(const std::vector<GoalLiteral>& goal);
+
+    const LiftedTask& task() const;
+    /// The ground task now in use; null if grounding ran out of budget.
+    std::shared_ptr<const FiniteDomainTask> ground_task() const;
+    const std::vector<PhaseStatistics>& phases() const;
+    /// How often the session has grounded (1 unless a changed state or goal needed new facts).
+    int groundings() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace praxis
