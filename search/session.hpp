@@ -19,43 +19,12 @@
 
 #include "parser/parser.hpp"
 #include "search/budget.hpp"
+#include "search/engines/search.hpp"
 #include "search/ground/ground.hpp"
 #include "search/plan.hpp"
 #include "search/task/finite_domain_task.hpp"
 
 namespace praxis {
-
-/// Which search to run: an expression such as "lazy_greedy([ff()],preferred=[ff()])".
-struct Configuration {
-    std::string expression;
-    std::uint64_t seed = 0;
-    int threads = 1;
-};
-
-/// The configuration behind a name ("agile", ...). Throws std::invalid_argument with the names there are.
-Configuration alias(const std::string& name);
-/// An expression as a configuration; the expression is checked here. Throws std::invalid_argument with place and mend.
-Configuration configuration(const std::string& expression);
-
-enum class Status : std::uint8_t {
-    solved,              ///< there is a plan
-    unsolvable_early,    ///< proved before search (exit code 10)
-    unsolvable,          ///< proved by search (11)
-    failed,              ///< searched in vain, without a proof (12)
-    out_of_memory,       ///< (22)
-    out_of_time,         ///< (23)
-    interrupted,         ///< by the stop token
-};
-
-/// Numbers a search reports, while it runs and at its end.
-struct SearchStatistics {
-    double seconds = 0;            ///< wall time of the search so far
-    std::uint64_t expanded = 0, evaluated = 0, generated = 0, reopened = 0, dead_ends = 0;
-    std::uint64_t registered_states = 0;
-    double bytes_per_state = 0;    ///< packed state, duplicate set and search node together
-    std::size_t peak_memory = 0;   ///< of the process, bytes
-    std::optional<std::int32_t> best_estimate;  ///< lowest heuristic value seen
-};
 
 struct Result {
     Status status = Status::failed;
