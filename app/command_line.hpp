@@ -1,0 +1,57 @@
+// The command line: what was asked, as plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace praxis::app {
+
+/// Options that every command has.
+struct CommonOptions {
+    bool quiet = false;                     ///< nothing on standard error but errors
+    bool verbose = false;                   ///< phases and statistics on standard error
+    std::string json;                       ///< file for the report; "-": standard output; empty: none
+    std::optional<double> time_limit;       ///< wall seconds of the whole process
+    std::optional<double> memory_limit_mb;  ///< resident memory of the process, MiB
+};
+
+struct PlanOptions : CommonOptions {
+    std::string domain;  ///< empty: look for it beside the problem
+    std::string problem;
+    std::string plan_file;  ///< empty: none
+    std::string search;     ///< an expression; empty: `alias`
+    std::string alias = "agile";
+    int threads = 1;
+    std::uint64_t seed = 0;
+    bool check = true;  ///< validate plans before they are given out
+};
+
+struct ValidateOptions : CommonOptions {
+    std::string domain;
+    std::string problem;
+    std::string plan;
+};
+
+struct GroundCommandOptions : CommonOptions {
+    std::string domain;
+    std::string problem;
+    std::string sas;  ///< file for the SAS+ task; "-": standard output; empty: none
+};
+
+struct ListOptions {
+    std::string kind;  ///< evaluators, engines or aliases; empty: all
+};
+
+/// Nothing is left to do (help, version, wrong usage): the process ends with this code.
+struct Done {
+    int exit_code = 0;
+};
+
+using Request = std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, ListOptions>;
+
+/// Reads the command line; prints help and usage errors itself.
+Request parse_command_line(int argc, const char* const* argv);
+
+}  // namespace praxis::app

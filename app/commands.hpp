@@ -1,0 +1,13 @@
+// The commands. Each returns the exit code.
+#pragma once
+
+#include "app/command_line.hpp"
+
+namespace praxis::app {
+
+int run_plan(const PlanOptions& options);
+int run_validate(const ValidateOptions& options);
+int run_ground(const GroundCommandOptions& options);
+int run_list(const ListOptions& options);
+
+}  // namespace praxis::app

@@ -1,0 +1,40 @@
+// Progress on standard error: a line that updates in place on a terminal, plain lines otherwise.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "search/engines/search.hpp"
+
+namespace praxis::app {
+
+/// Not thread-safe.
+class Progress {
+  public:
+    explicit Progress(bool shown);
+
+    void set_phase(const char* phase) { phase_ = phase; }
+    void set_statistics(const SearchStatistics& statistics);
+    /// Shows how far things are, if enough time has passed since the last time.
+    void show();
+    /// Prints a line of its own.
+    void print(const std::string& line);
+    /// Removes the updating line.
+    void clear();
+    /// How often `show` is worth calling; nothing is shown before the first second.
+    std::chrono::milliseconds interval() const;
+
+  private:
+    std::string line() const;
+
+    bool shown_;
+    bool terminal_;
+    bool visible_ = false;
+    const char* phase_ = "starting";
+    SearchStatistics statistics_;
+    bool searching_ = false;
+    double next_ = 1;
+    double step_ = 1;
+};
+
+}  // namespace praxis::app

@@ -1,0 +1,48 @@
+// What a run of the command has to tell, as values and as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search/session.hpp"
+#include "search/validate.hpp"
+
+namespace praxis::app {
+
+/// One run; the JSON report has these names.
+struct Report {
+    std::string command;
+    std::string status;  ///< "solved", "unsolvable", "out_of_time", "input_error", "valid", ...
+    int exit_code = 0;
+    std::string message;  ///< errors and verdicts in words; may be empty
+    std::string domain;   ///< file names
+    std::string problem;
+    std::optional<Configuration> configuration;
+    std::string alias;
+    Task task;  ///< for names; null if it could not be loaded
+    std::optional<Plan> plan;
+    bool optimal = false;
+    std::optional<SearchStatistics> statistics;
+    std::vector<PhaseStatistics> phases;
+    std::optional<Verdict> verdict;
+};
+
+/// The report as JSON, ending with a newline.
+std::string to_json(const Report& report);
+
+/// The name of a status in reports, and its exit code.
+const char* status_name(Status status);
+int exit_code(Status status);
+
+/// Seconds since the process started.
+double elapsed_seconds();
+/// Notes the start; called first thing in main.
+void start_clock();
+
+/// "1.2 ms", "34.5 s"; "12 MiB"; "1234567" with the separator of thousands "1,234,567".
+std::string seconds_text(double seconds);
+std::string bytes_text(std::size_t bytes);
+std::string count_text(std::uint64_t count);
+
+}  // namespace praxis::app
