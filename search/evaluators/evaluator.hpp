@@ -16,11 +16,12 @@ using StateView = std::span<const std::int32_t>;
 using Estimate = std::int32_t;
 inline constexpr Estimate kDeadEnd = std::numeric_limits<Estimate>::max();
 
-/// How a component counts operator costs: as they are, as one each, or as cost plus one (unless all costs are one).
+/// How a component counts operator costs: as they are, as one each, or as cost plus one (unless all costs are
+/// one).
 enum class CostType : std::uint8_t { normal, one, plus_one };
 
-/// Estimates states of one task; owns scratch memory and so belongs to one thread. A heuristic is an evaluator whose
-/// estimates are goal distances.
+/// Estimates states of one task; owns scratch memory and so belongs to one thread. A heuristic is an
+/// evaluator whose estimates are goal distances.
 class Evaluator {
   public:
     virtual ~Evaluator() = default;
@@ -28,11 +29,12 @@ class Evaluator {
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
-    /// `state` is complete. Costs at least the work of one virtual call: never call it more than once a state.
+    /// `state` is complete. Costs at least the work of one virtual call: never call it more than once a
+    /// state.
     virtual Estimate evaluate(StateView state) = 0;
 
-    /// Preferred operators of the state last evaluated, in no particular order, without repetition; valid until the next
-    /// call. Computed only after `request_preferred()`.
+    /// Preferred operators of the state last evaluated, in no particular order, without repetition; valid
+    /// until the next call. Computed only after `request_preferred()`.
     virtual std::span<const OperatorId> preferred() const { return {}; }
     virtual void request_preferred() {}
 

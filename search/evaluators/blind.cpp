@@ -1,0 +1,22 @@
+#include "search/evaluators/blind.hpp"
+
+#include <algorithm>
+
+#include "search/evaluators/operator_costs.hpp"
+
+namespace praxis {
+
+BlindEvaluator::BlindEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type)
+    : goal_(goal.begin(), goal.end()) {
+    const std::vector<std::int32_t> costs = operator_costs(task, cost_type);
+    if (!costs.empty()) cheapest_ = *std::ranges::min_element(costs);
+}
+
+Estimate BlindEvaluator::evaluate(StateView state) {
+    const auto holds = [state](Fact fact) {
+        return state[static_cast<std::size_t>(fact.variable)] == fact.value;
+    };
+    return std::ranges::all_of(goal_, holds) ? 0 : cheapest_;
+}
+
+}  // namespace praxis

@@ -1,0 +1,19 @@
+#include "search/evaluators/hadd.hpp"
+
+namespace praxis {
+
+AddEvaluator::AddEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type)
+    : exploration_(std::make_shared<const RelaxedTask>(task, goal, cost_type, RelaxedTask::Dominance::drop)),
+      plan_(task, exploration_.task()) {}
+
+Estimate AddEvaluator::evaluate(StateView state) {
+    preferred_ = {};
+    const Estimate estimate = exploration_.run(state);
+    if (preferred_wanted_ && estimate != kDeadEnd) {
+        plan_.extract(exploration_, state);
+        preferred_ = plan_.preferred();
+    }
+    return estimate;
+}
+
+}  // namespace praxis

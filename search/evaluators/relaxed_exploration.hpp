@@ -1,0 +1,109 @@
+// Reaches propositions of a relaxed task in order of their hmax or hadd cost, until the goal is reached.
+//
+// Rules that miss nothing in the state fire first, at their own cost; then a generalised Dijkstra search
+// counts down what the others miss. A rule's cost is summed when its last precondition is reached, so that
+// counters of one byte a rule are all that must be reset.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "search/evaluators/cost_queue.hpp"
+#include "search/evaluators/missing_preconditions.hpp"
+#include "search/evaluators/relaxed_task.hpp"
+
+namespace praxis {
+
+/// How the costs of a rule's preconditions combine: the largest (hmax) or their sum (hadd).
+enum class Combine : std::uint8_t { maximum, sum };
+
+template <Combine combine>
+class RelaxedExploration {
+  public:
+    explicit RelaxedExploration(std::shared_ptr<const RelaxedTask> task)
+        : task_(std::move(task)),
+          missing_(*task_),
+          counters_(missing_.counts()),
+          unreached_(task_->proposition_count, Reached{kDeadEnd, RelaxedTask::kNone}),
+          reached_(unreached_) {
+        unreached_[RelaxedTask::kTrue].cost = 0;
+    }
+
+    /// The cost of the goal, or kDeadEnd. Costs above kMaxCost count as kMaxCost.
+    Estimate run(StateView state);
+
+    static constexpr std::int32_t kMaxCost = 1 << 30;
+
+    /// After `run`: the rule that reached a proposition most cheaply; kNone if it holds in the state or is
+    /// not reached.
+    std::uint32_t supporter(std::uint32_t proposition) const { return reached_[proposition].supporter; }
+    const RelaxedTask& task() const { return *task_; }
+
+  private:
+    struct Reached {
+        std::int32_t cost;
+        std::uint32_t supporter;
+    };
+
+    void fire(std::uint32_t index, const RelaxedTask::Rule& rule, std::int32_t cost) {
+        for (const std::uint32_t effect : rule.effects) {
+            Reached& reached = reached_[effect];
+            if (cost >= reached.cost) continue;
+            reached = {cost, index};
+            queue_.push(cost, effect);
+        }
+    }
+
+    /// What a rule's effects cost once its last precondition is reached, at cost `last`.
+    std::int32_t effect_cost(const RelaxedTask::Rule& rule, std::int32_t last) const {
+        std::int64_t cost = rule.cost;
+        if constexpr (combine == Combine::sum) {
+            for (const std::uint32_t precondition : rule.preconditions) cost += reached_[precondition].cost;
+        } else {
+            cost += last;
+        }
+        return static_cast<std::int32_t>(std::min<std::int64_t>(cost, kMaxCost));
+    }
+
+    std::shared_ptr<const RelaxedTask> task_;
+    MissingPreconditions missing_;
+    std::vector<std::uint8_t> counters_;  ///< by rule
+    std::vector<Reached> unreached_;      ///< what `reached_` is reset to
+    std::vector<Reached> reached_;        ///< by proposition
+    CostQueue queue_;
+};
+
+template <Combine combine>
+Estimate RelaxedExploration<combine>::run(StateView state) {
+    std::memcpy(reached_.data(), unreached_.data(), reached_.size() * sizeof(Reached));
+    missing_.enter(state, [this](std::uint32_t proposition) { reached_[proposition].cost = 0; });
+    if (missing_.counts()[task_->goal_rule] == 0) {
+        reached_[task_->goal] = {0, task_->goal_rule};
+        return 0;
+    }
+    queue_.clear();
+    missing_.for_each_applicable([this](std::uint32_t index) {
+        const RelaxedTask::Rule rule = task_->rule(index);
+        fire(index, rule, std::min(rule.cost, kMaxCost));
+    });
+    std::memcpy(counters_.data(), missing_.counts().data(), counters_.size());
+    CostQueue::Entry entry;
+    while (queue_.pop(entry)) {
+        if (entry.key != reached_[entry.item].cost) continue;
+        for (const std::uint32_t index : task_->precondition_of(entry.item)) {
+            if (--counters_[index] != 0) continue;
+            const RelaxedTask::Rule rule = task_->rule(index);
+            const std::int32_t cost = effect_cost(rule, entry.key);
+            if (index == task_->goal_rule) {
+                reached_[task_->goal] = {cost, index};
+                return cost;
+            }
+            fire(index, rule, cost);
+        }
+    }
+    return kDeadEnd;
+}
+
+}  // namespace praxis

@@ -1,0 +1,85 @@
+// The delete relaxation of a task, in the form that hmax, hadd, FF and LM-cut explore.
+//
+// Vocabulary. A *proposition* is a fact that some condition or the goal needs and that matters for the goal.
+// Once reached, it stays reached. A *rule* reaches its effects once all its preconditions are reached, for
+// the cost of its operator. An operator without conditional effects is one rule with many effects; otherwise
+// there is one rule for each different effect condition, whose precondition is the operator's joined with the
+// condition. Axioms are rules without cost. All rules of one operator have the same `operator_of`; rules that
+// are no operator's have operator_count.
+//
+// Two propositions are made up: kTrue, which always holds and is the precondition of rules that need nothing,
+// and `goal`, which `goal_rule` reaches from all goal facts at cost 0.
+//
+// Derived variables. The non-default value is reached by axioms. The default value holds if every axiom for
+// the variable fails: for each axiom there is a made-up proposition "its body is false", reached by a rule
+// from each other value of a variable in the body, and one rule leads from these to the default value. This
+// has the size of the axioms, but is unsound for derived variables that depend on themselves (all would wait
+// for each other), so default values of these count as always reached; and so do all where the rules would
+// grow too many. Either way whatever a plan can reach is reached in the relaxation, at no greater cost: an
+// unreached goal proves that there is no plan, and hmax and LM-cut stay admissible.
+//
+// Rules with more than kMaxPreconditions preconditions are split by made-up propositions, so that counters
+// fit into bytes. Everything is flat and immutable, to be shared by evaluators and threads. Limits: 2^32 - 1
+// rules, propositions and entries.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "search/evaluators/evaluator.hpp"
+#include "search/task/finite_domain_task.hpp"
+
+namespace praxis {
+
+struct RelaxedTask {
+    /// Whether effects that another rule has for no greater cost and no further precondition are dropped.
+    /// That keeps hmax and hadd values; LM-cut must not do it: an operator's effects then no longer share its
+    /// cost.
+    enum class Dominance : std::uint8_t { keep, drop };
+
+    RelaxedTask(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type,
+                Dominance dominance);
+
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    static constexpr std::uint32_t kTrue = 0;
+    static constexpr std::size_t kMaxPreconditions = 255;
+
+    /// A rule's record in `records`: cost, number of preconditions, number of effects, preconditions,
+    /// effects.
+    struct Rule {
+        std::int32_t cost;
+        std::span<const std::uint32_t> preconditions;
+        std::span<const std::uint32_t> effects;
+    };
+    Rule rule(std::uint32_t index) const {
+        const std::uint32_t* const record = records.data() + record_begin[index];
+        const std::uint32_t* const preconditions = record + 3;
+        return {static_cast<std::int32_t>(record[0]),
+                {preconditions, record[1]},
+                {preconditions + record[1], record[2]}};
+    }
+    std::span<const std::uint32_t> precondition_of(std::uint32_t proposition) const {
+        return {users.data() + users_begin[proposition], users.data() + users_begin[proposition + 1]};
+    }
+    std::uint32_t rule_count() const { return static_cast<std::uint32_t>(record_begin.size()); }
+
+    std::uint32_t proposition_count = 0;
+    std::vector<std::uint32_t> first_fact;        ///< as in the task
+    std::vector<std::uint32_t> fact_proposition;  ///< by fact number; kNone: not needed
+    std::vector<std::uint32_t> users_begin;       ///< by proposition; see precondition_of
+    std::vector<std::uint32_t> users;
+
+    std::vector<std::uint32_t> record_begin;  ///< by rule
+    std::vector<std::uint32_t> records;
+    std::vector<std::uint8_t> precondition_counts;  ///< by rule
+    std::vector<std::uint32_t> operator_of;         ///< by rule; increasing except for made-up rules
+    std::vector<std::uint32_t> condition_of;        ///< by rule: number of the effect condition in the task
+
+    std::uint32_t operator_count = 0;
+    std::vector<std::int32_t> costs;  ///< by operator; one more, zero, for rules that are no operator's
+    std::uint32_t goal = 0;
+    std::uint32_t goal_rule = 0;
+};
+
+}  // namespace praxis
