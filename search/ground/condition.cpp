@@ -1,0 +1,137 @@
+#include "search/ground/condition.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace praxis::grounding {
+namespace {
+
+Condition constant(bool value) {
+    Condition condition;
+    condition.kind = value ? Condition::Kind::truth : Condition::Kind::falsity;
+    return condition;
+}
+
+/// Joins parts under `kind`; `unit` is its neutral element, `zero` its absorbing one.
+Condition join(Condition::Kind kind, Condition::Kind unit, Condition::Kind zero, std::vector<Condition> parts) {
+    Condition result;
+    result.kind = kind;
+    for (Condition& part : parts) {
+        if (part.kind == unit) continue;
+        if (part.kind == zero) return std::move(part);
+        if (part.kind == kind)
+            std::move(part.children.begin(), part.children.end(), std::back_inserter(result.children));
+        else
+            result.children.push_back(std::move(part));
+    }
+    if (result.children.empty()) return constant(unit == Condition::Kind::truth);
+    if (result.children.size() == 1) {
+        Condition only = std::move(result.children.front());
+        return only;
+    }
+    return result;
+}
+
+Condition normalise_equality(const Formula& formula, bool negate) {
+    const Term a = formula.terms[0];
+    const Term b = formula.terms[1];
+    if (a == b) return constant(!negate);
+    if (!a.is_variable() && !b.is_variable()) return constant(negate);
+    Condition result;
+    result.kind = Condition::Kind::equality;
+    result.negated = negate;
+    result.terms = {a, b};
+    return result;
+}
+
+std::vector<Condition> normalise_all(const std::vector<Formula>& formulas, bool negate) {
+    std::vector<Condition> result;
+    result.reserve(formulas.size());
+    for (const Formula& formula : formulas) result.push_back(normalise(formula, negate));
+    return result;
+}
+
+void collect_free(const Condition& condition, std::vector<std::uint32_t>& bound, std::vector<std::uint32_t>& free) {
+    for (Term term : condition.terms)
+        if (term.is_variable() && std::find(bound.begin(), bound.end(), term.variable_index()) == bound.end())
+            free.push_back(term.variable_index());
+    const std::size_t outer = bound.size();
+    bound.insert(bound.end(), condition.variables.begin(), condition.variables.end());
+    for (const Condition& child : condition.children) collect_free(child, bound, free);
+    bound.resize(outer);
+}
+
+}  // namespace
+
+Condition conjunction(std::vector<Condition> parts) {
+    using Kind = Condition::Kind;
+    return join(Kind::conjunction, Kind::truth, Kind::falsity, std::move(parts));
+}
+
+Condition disjunction(std::vector<Condition> parts) {
+    using Kind = Condition::Kind;
+    return join(Kind::disjunction, Kind::falsity, Kind::truth, std::move(parts));
+}
+
+Condition normalise(const Formula& formula, bool negate) {
+    switch (formula.kind) {
+        case Connective::truth: return constant(!negate);
+        case Connective::falsity: return constant(negate);
+        case Connective::equality: return normalise_equality(formula, negate);
+        case Connective::negation: return normalise(formula.children.front(), !negate);
+        case Connective::atom: {
+            Condition result;
+            result.kind = Condition::Kind::literal;
+            result.negated = negate;
+            result.predicate = formula.predicate;
+            result.terms = formula.terms;
+            return result;
+        }
+        case Connective::conjunction:
+        case Connective::disjunction: {
+            auto parts = normalise_all(formula.children, negate);
+            const bool conjunctive = (formula.kind == Connective::conjunction) != negate;
+            return conjunctive ? conjunction(std::move(parts)) : disjunction(std::move(parts));
+        }
+        case Connective::implication: {
+            std::vector<Condition> parts;
+            parts.push_back(normalise(formula.children[0], !negate));
+            parts.push_back(normalise(formula.children[1], negate));
+            return negate ? conjunction(std::move(parts)) : disjunction(std::move(parts));
+        }
+        case Connective::existential:
+        case Connective::universal: {
+            Condition child = normalise(formula.children.front(), negate);
+            const bool existential = (formula.kind == Connective::existential) != negate;
+            const auto kind = existential ? Condition::Kind::exists : Condition::Kind::forall;
+            Condition result;
+            result.kind = kind;
+            result.variables = formula.variables;
+            if (child.kind == kind) {
+                result.variables.insert(result.variables.end(), child.variables.begin(), child.variables.end());
+                Condition inner = std::move(child.children.front());
+                child = std::move(inner);
+            }
+            result.children.push_back(std::move(child));
+            return result;
+        }
+    }
+    return constant(!negate);
+}
+
+std::span<const Condition> conjuncts(const Condition& condition) {
+    if (condition.kind == Condition::Kind::truth) return {};
+    if (condition.kind == Condition::Kind::conjunction) return condition.children;
+    return {&condition, 1};
+}
+
+std::vector<std::uint32_t> free_variables(const Condition& condition) {
+    std::vector<std::uint32_t> bound;
+    std::vector<std::uint32_t> free;
+    collect_free(condition, bound, free);
+    std::sort(free.begin(), free.end());
+    free.erase(std::unique(free.begin(), free.end()), free.end());
+    return free;
+}
+
+}  // namespace praxis::grounding
