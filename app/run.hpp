@@ -60,7 +60,7 @@ class Run {
     Ending end_by_exception() const;
     static void on_terminate();
 
-    const CommonOptions& options_;
+    const CommonOptions options_;
     std::mutex mutex_;
     Report report_;
     std::string result_;

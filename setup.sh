@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Sets everything up on Debian 12 (or a relative of it): installs the packages that are missing, builds, and, if asked, tests.
+#
+#   ./setup.sh            what is needed to plan: packages, and build/bin/plan
+#   ./setup.sh --test     the same, and what the tests need; then builds and runs all of them
+#   ./setup.sh --packages [--all]    only the packages (--all: also those for tests, clang, fuzzing and benchmarks)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+plan_packages=(g++ cmake ninja-build ccache libboost-dev libcli11-dev nlohmann-json3-dev)
+test_packages=(libgtest-dev librapidcheck-dev)
+other_packages=(clang libclang-rt-14-dev libbenchmark-dev python3)
+
+mode=plan
+all=false
+for argument in "$@"; do
+    case $argument in
+        --test) mode=test ;;
+        --packages) mode=packages ;;
+        --all) all=true ;;
+        -h | --help) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 0 ;;
+        *) echo "setup.sh: unknown option '$argument' (try --help)" >&2; exit 2 ;;
+    esac
+done
+
+packages=("${plan_packages[@]}")
+if [ $mode = test ] || $all; then packages+=("${test_packages[@]}"); fi
+if $all; then packages+=("${other_packages[@]}"); fi
+
+install_packages() {
+    local missing=()
+    local status
+    for package in "$@"; do
+        status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+        [ "$status" = installed ] || missing+=("$package")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    if ! command -v apt-get >/dev/null; then
+        echo "setup.sh: please install these (Debian's names): ${missing[*]}" >&2
+        exit 1
+    fi
+    echo "setup.sh: installing ${missing[*]}"
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq </dev/null
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >/dev/null
+}
+
+configure_and_build() {
+    local log
+    log=$(mktemp)
+    if ! cmake --preset release "$@" >"$log" 2>&1; then
+        cat "$log" >&2
+        rm -f "$log"
+        exit 1
+    fi
+    rm -f "$log"
+}
+
+install_packages "${packages[@]}"
+[ $mode != packages ] || exit 0
+
+# The progress of the build is for people; a result on standard output stays clean.
+if [ $mode = plan ]; then
+    # A build folder that has tests keeps them; a new one is set up for the command alone.
+    if [ ! -f build/CMakeCache.txt ]; then configure_and_build -DPRAXIS_BUILD_TESTS=OFF; else configure_and_build; fi
+    cmake --build build --target plan >&2
+else
+    configure_and_build -DPRAXIS_BUILD_TESTS=ON
+    cmake --build build >&2
+    ctest --test-dir build --output-on-failure --parallel "$(nproc)" </dev/null
+fi
