@@ -23,26 +23,27 @@ struct Configuration {
 
 /// The configuration behind a name ("agile", ...). Throws std::invalid_argument with the names there are.
 Configuration alias(const std::string& name);
-/// An expression as a configuration; the expression is checked here. Throws std::invalid_argument with place and mend.
+/// An expression as a configuration; the expression is checked here. Throws std::invalid_argument with place
+/// and mend.
 Configuration configuration(const std::string& expression);
 
 enum class Status : std::uint8_t {
-    solved,              ///< there is a plan
-    unsolvable_early,    ///< proved before search (exit code 10)
-    unsolvable,          ///< proved by search (11)
-    failed,              ///< searched in vain, without a proof (12)
-    out_of_memory,       ///< (22)
-    out_of_time,         ///< (23)
-    interrupted,         ///< by the stop token
+    solved,            ///< there is a plan
+    unsolvable_early,  ///< proved before search (exit code 10)
+    unsolvable,        ///< proved by search (11)
+    failed,            ///< searched in vain, without a proof (12)
+    out_of_memory,     ///< (22)
+    out_of_time,       ///< (23)
+    interrupted,       ///< by the stop token
 };
 
 /// Numbers a search reports, while it runs and at its end.
 struct SearchStatistics {
-    double seconds = 0;            ///< wall time of the search so far
+    double seconds = 0;  ///< wall time of the search so far
     std::uint64_t expanded = 0, evaluated = 0, generated = 0, reopened = 0, dead_ends = 0;
     std::uint64_t registered_states = 0;
-    double bytes_per_state = 0;    ///< packed state, duplicate set and search node together
-    std::size_t peak_memory = 0;   ///< of the process, bytes
+    double bytes_per_state = 0;                 ///< packed state, duplicate set and search node together
+    std::size_t peak_memory = 0;                ///< of the process, bytes
     std::optional<std::int32_t> best_estimate;  ///< lowest heuristic value seen
 };
 
@@ -68,16 +69,20 @@ struct SearchCallbacks {
     std::function<void(const SearchStatistics&)> on_progress;
 };
 
-/// A task with the structures that every search over it shares (successor generator, axiom evaluator, state packing), made once.
-/// Immutable after construction; may be used by several searches on several threads at once.
+/// A task with the structures that every search over it shares (successor generator, axiom evaluator, state
+/// packing), made once. Immutable after construction; may be used by several searches on several threads at
+/// once.
 class PreparedTask {
   public:
-    explicit PreparedTask(std::shared_ptr<const FiniteDomainTask> task);
+    /// If the budget runs out, `stop` says so, and so does every search.
+    explicit PreparedTask(std::shared_ptr<const FiniteDomainTask> task, const Budget& budget = {});
     ~PreparedTask();
     PreparedTask(PreparedTask&&) noexcept;
     PreparedTask& operator=(PreparedTask&&) noexcept;
 
     const FiniteDomainTask& task() const;
+    /// Why the preparation was not finished; Stop::none if it was.
+    Stop stop() const;
     struct Parts;
     const Parts& parts() const { return *parts_; }
 

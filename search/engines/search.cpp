@@ -1,0 +1,127 @@
+#include "search/engines/search.hpp"
+
+#include <new>
+#include <stdexcept>
+
+#include "search/engines/call.hpp"
+#include "search/engines/prepared_parts.hpp"
+#include "search/engines/registry.hpp"
+#include "search/engines/search_context.hpp"
+#include "search/engines/syntax.hpp"
+
+namespace praxis {
+
+namespace {
+
+void check(const FiniteDomainTask& task, const Query& query) {
+    if (query.initial_values.size() != task.variable_count()) {
+        throw std::invalid_argument("the query's initial state has " +
+                                    std::to_string(query.initial_values.size()) + " values, the task has " +
+                                    std::to_string(task.variable_count()) + " variables");
+    }
+    const auto in_range = [&](std::size_t variable, std::int32_t value) {
+        return variable < task.variable_count() && value >= 0 && value < task.domain_sizes[variable];
+    };
+    for (std::size_t i = 0; i < query.initial_values.size(); ++i) {
+        if (!in_range(i, query.initial_values[i])) {
+            throw std::invalid_argument("the query's initial state has a value out of range");
+        }
+    }
+    for (const Fact& fact : query.goal) {
+        if (fact.variable < 0 || !in_range(static_cast<std::size_t>(fact.variable), fact.value)) {
+            throw std::invalid_argument("the query's goal has a fact that the task does not have");
+        }
+    }
+}
+
+void run(const PreparedTask::Parts& parts, const Query& query, const Call& call,
+         const Configuration& configuration, const Budget& budget, const SearchCallbacks& callbacks,
+         Outcome& outcome) {
+    Workshop workshop(*parts.task, query.goal, configuration.seed);
+    const SearchPlan plan = workshop.search_plan(call);
+    const Budget own = plan.max_time < 1e9 ? budget.within(plan.max_time) : budget;
+    SearchContext context(parts, query, plan, workshop.take_heuristics(), own, callbacks);
+    try {
+        outcome.status = plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
+        if (context.goal) {
+            outcome.plan = context.space.plan_to(*context.goal);
+            outcome.cost = context.space.cost_of(*outcome.plan);
+            outcome.optimal = plan.optimal;
+        }
+    } catch (const std::bad_alloc&) {
+        outcome.status = Status::out_of_memory;
+    }
+    context.monitor.finish(context.space, context.evaluator);
+    outcome.statistics = context.monitor.statistics;
+}
+
+}  // namespace
+
+PreparedTask::PreparedTask(std::shared_ptr<const FiniteDomainTask> task, const Budget& budget)
+    : parts_(std::make_unique<const Parts>(std::move(task), budget)) {}
+PreparedTask::~PreparedTask() = default;
+PreparedTask::PreparedTask(PreparedTask&&) noexcept = default;
+PreparedTask& PreparedTask::operator=(PreparedTask&&) noexcept = default;
+const FiniteDomainTask& PreparedTask::task() const {
+    return *parts_->task;
+}
+Stop PreparedTask::stop() const {
+    return parts_->stop;
+}
+
+Query task_query(const FiniteDomainTask& task) {
+    return {task.initial_values, task.goal};
+}
+
+Configuration configuration(const std::string& expression) {
+    check_expression(expression);
+    Configuration result;
+    result.expression = expression;
+    return result;
+}
+
+Configuration alias(const std::string& name) {
+    std::vector<std::string> names;
+    std::string all;
+    for (const AliasDescription& description : list_aliases()) {
+        if (description.name == name) return configuration(description.expression);
+        names.push_back(description.name);
+        all += (all.empty() ? "" : ", ") + description.name;
+    }
+    const std::string closest = closest_name(name, names);
+    throw std::invalid_argument("there is no alias '" + name + "'" +
+                                (closest.empty() ? "" : "; did you mean '" + closest + "'?") +
+                                " (there are: " + all + ")");
+}
+
+std::vector<AliasDescription> list_aliases() {
+    return {{"agile", "lazy_greedy([ff(cost_type=one)],preferred=[ff(cost_type=one)],cost_type=one)",
+             "the first plan, as fast as possible"},
+            {"optimal", "astar(lmcut())", "a cheapest plan"}};
+}
+
+Outcome search(const PreparedTask& prepared, const Query& query, const Configuration& configuration,
+               const Budget& budget, const SearchCallbacks& callbacks) {
+    const Call call = check_expression(configuration.expression);
+    check(prepared.task(), query);
+    Outcome outcome;
+    if (prepared.stop() != Stop::none) {
+        outcome.status = status_of(prepared.stop());
+        return outcome;
+    }
+    const FiniteDomainTask& task = prepared.task();
+    if (task.proved_unsolvable && query.initial_values == task.initial_values && query.goal == task.goal) {
+        outcome.status = Status::unsolvable_early;
+        return outcome;
+    }
+    try {
+        run(prepared.parts(), query, call, configuration, budget, callbacks, outcome);
+    } catch (const std::bad_alloc&) {
+        outcome.status = Status::out_of_memory;
+    }
+    outcome.statistics.peak_memory = peak_memory();
+    if (outcome.plan && callbacks.on_plan) callbacks.on_plan(*outcome.plan, outcome.cost);
+    return outcome;
+}
+
+}  // namespace praxis

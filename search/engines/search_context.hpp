@@ -1,0 +1,38 @@
+// All that a running search works with. An engine is a function on it.
+#pragma once
+
+#include <optional>
+
+#include "search/engines/search_monitor.hpp"
+#include "search/engines/search_plan.hpp"
+#include "search/engines/search_space.hpp"
+#include "search/engines/state_evaluator.hpp"
+
+namespace praxis {
+
+struct SearchContext {
+    SearchContext(const PreparedTask::Parts& parts, const Query& query, const SearchPlan& search_plan,
+                  std::vector<Heuristic> heuristics, const Budget& budget, const SearchCallbacks& callbacks)
+        : plan(search_plan),
+          evaluator(std::move(heuristics), plan),
+          space(parts, query, plan, evaluator.remembered()),
+          monitor(budget, callbacks) {}
+
+    const SearchPlan& plan;
+    StateEvaluator evaluator;
+    SearchSpace space;
+    SearchMonitor monitor;
+    bool complete = true;         ///< nothing was left out without a proof that no plan goes through it
+    std::optional<StateId> goal;  ///< the state in which a plan ends
+
+    bool must_stop() { return monitor.stop(space, evaluator); }
+    /// The status of a search that has looked at all it wanted to.
+    Status exhausted() const { return complete && !space.bounded() ? Status::unsolvable : Status::failed; }
+};
+
+/// Best-first search that evaluates states when they are generated.
+Status eager_search(SearchContext& context);
+/// Best-first search that evaluates states when their turn comes (Richter and Helmert 2009).
+Status lazy_search(SearchContext& context);
+
+}  // namespace praxis

@@ -1,0 +1,79 @@
+#include "search/engines/search_space.hpp"
+
+#include <algorithm>
+
+namespace praxis {
+
+namespace {
+
+/// Costs from which on sums are kept in 64 bits; below, sums of 2^18 costs fit.
+constexpr std::int32_t kLargeCost = 1 << 12;
+
+NodeLayout make_layout(const FiniteDomainTask& task, const SearchPlan& plan, std::size_t estimates) {
+    const bool large =
+        std::any_of(task.costs.begin(), task.costs.end(), [](auto cost) { return cost >= kLargeCost; });
+    const bool real_cost = plan.bound != kInfinity && plan.cost_type != CostType::normal;
+    return NodeLayout(large && (plan.cost_type != CostType::one || real_cost), real_cost, estimates);
+}
+
+}  // namespace
+
+SearchSpace::SearchSpace(const PreparedTask::Parts& parts, const Query& query, const SearchPlan& plan,
+                         std::size_t estimates)
+    : parts_(&parts),
+      query_(&query),
+      bounded_(plan.bound != kInfinity),
+      bound_(plan.bound),
+      layout_(make_layout(*parts.task, plan, estimates)),
+      registry_(parts.packer, layout_.word_count()) {
+    const auto& costs = task().costs;
+    if (plan.cost_type == CostType::one) {
+        cost_factor_ = 0;
+        cost_summand_ = 1;
+    } else if (plan.cost_type == CostType::plus_one) {
+        cost_summand_ = std::all_of(costs.begin(), costs.end(), [](auto cost) { return cost == 1; }) ? 0 : 1;
+    }
+}
+
+StateId SearchSpace::insert_initial() {
+    parts_->packer.pack(query_->initial_values.data(), registry_.candidate());
+    const StateId state = registry_.intern().first;
+    layout_.initialize(node(state), StateId(), 0, 0);
+    return state;
+}
+
+bool SearchSpace::goal_holds(const std::vector<std::int32_t>& values) const {
+    return std::all_of(query_->goal.begin(), query_->goal.end(), [&](const Fact& fact) {
+        return values[static_cast<std::size_t>(fact.variable)] == fact.value;
+    });
+}
+
+std::vector<OperatorId> SearchSpace::plan_to(StateId state) {
+    std::vector<OperatorId> plan;
+    for (StateId parent = layout_.parent(node(state)); parent.valid(); parent = layout_.parent(node(state))) {
+        plan.push_back(operator_between(parent, state));
+        state = parent;
+    }
+    std::reverse(plan.begin(), plan.end());
+    return plan;
+}
+
+std::int64_t SearchSpace::cost_of(std::span<const OperatorId> plan) const {
+    std::int64_t cost = 0;
+    for (OperatorId op : plan) cost += task().costs[op.index()];
+    return cost;
+}
+
+OperatorId SearchSpace::operator_between(StateId parent, StateId child) {
+    std::vector<std::int32_t> values = buffer();
+    read(parent, values);
+    OperatorId best;
+    parts_->generator.for_each(values.data(), [&](OperatorId op) {
+        if (best.valid() && task().costs[op.index()] >= task().costs[best.index()]) return;
+        parts_->transitions.apply(op, values.data(), registry_.candidate_from(parent));
+        if (registry_.candidate_equals(child)) best = op;
+    });
+    return best;
+}
+
+}  // namespace praxis
