@@ -1,7 +1,8 @@
 // What a long call may spend, and how it is told to stop.
 //
-// A Budget is a small value handed down by const reference; every loop that may run long asks `exhausted()` at least every
-// few thousand steps (it costs some tens of nanoseconds; memory is looked at every few milliseconds only).
+// A Budget is a small value handed down by const reference; every loop that may run long asks `exhausted()`
+// at least every few thousand steps (it costs some tens of nanoseconds; memory is looked at every few
+// milliseconds only).
 #pragma once
 
 #include <chrono>
@@ -15,8 +16,8 @@ namespace praxis {
 /// Why a budget ran out.
 enum class Stop : std::uint8_t { none, time, memory, interrupted };
 
-/// Limits on wall time, processor time and resident memory of the process, and a stop token. Unlimited by default.
-/// Copies share nothing; may be asked from several threads at once if each has its own copy.
+/// Limits on wall time, processor time and resident memory of the process, and a stop token. Unlimited by
+/// default. Copies share nothing; may be asked from several threads at once if each has its own copy.
 class Budget {
   public:
     using Clock = std::chrono::steady_clock;

@@ -35,7 +35,8 @@ struct ParsedPlan {
     Plan plan;
     bool cost_claimed = false;
 };
-/// Throws InputError with places for malformed lines, unknown actions or objects, wrong numbers or types of arguments.
+/// Throws InputError with places for malformed lines, unknown actions or objects, wrong numbers or types of
+/// arguments.
 ParsedPlan parse_plan(const Source& source, const LiftedTask& task);
 
 }  // namespace praxis

@@ -5,9 +5,9 @@
 //     praxis::Result result = session.plan(praxis::alias("agile"));
 //     if (result.plan) std::cout << praxis::to_string(*result.plan, *task);
 //
-// Sessions are independent of each other and may run on different threads; one session belongs to one thread at a time.
-// The same task, configuration and seed give the same plan. Input errors are praxis::InputError (from `load`); wrong
-// use is std::invalid_argument; a search that fails is a status.
+// Sessions are independent of each other and may run on different threads; one session belongs to one thread
+// at a time. The same task, configuration and seed give the same plan. Input errors are praxis::InputError
+// (from `load`); wrong use is std::invalid_argument; a search that fails is a status.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,13 @@ struct Result {
     Status status = Status::failed;
     std::optional<Plan> plan;  ///< the best plan found, whatever ended the search
     SearchStatistics statistics;
-    bool optimal = false;      ///< the search proved that no plan is cheaper
+    bool optimal = false;  ///< the search proved that no plan is cheaper
 };
 
 /// What a caller may watch. Both are called on the planning thread.
 struct Callbacks {
-    std::function<void(const Plan&)> on_plan;                 ///< each better plan, as found
-    std::function<void(const SearchStatistics&)> on_progress; ///< a few times a second
+    std::function<void(const Plan&)> on_plan;                  ///< each better plan, as found
+    std::function<void(const SearchStatistics&)> on_progress;  ///< a few times a second
 };
 
 /// A ground atom for `set_initial_state` and `set_goal`.
@@ -66,8 +66,10 @@ class Session {
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;
 
-    /// Plans from the current initial state to the current goal. Throws std::invalid_argument for a configuration that is wrong.
-    Result plan(const Configuration& configuration, const Budget& budget = {}, const Callbacks& callbacks = {});
+    /// Plans from the current initial state to the current goal. Throws std::invalid_argument for a
+    /// configuration that is wrong.
+    Result plan(const Configuration& configuration, const Budget& budget = {},
+                const Callbacks& callbacks = {});
 
     /// The atoms that hold (complete; closed world; static atoms may be left out and then keep their value).
     /// Grounds again only if an atom is new to the ground task. Throws std::invalid_argument for unknown ids,

@@ -103,7 +103,7 @@ void LMCutEvaluator::explore() {
         if (entry.key != reached_cost_[entry.item]) continue;
         for (const std::uint32_t rule : task_.precondition_of(entry.item)) {
             if (--counters_[rule] != 0) continue;
-            supporters_[rule] = {entry.item, entry.key};
+            supporters_[rule] = most_expensive(rule);
             fire(rule);
         }
     }
@@ -188,16 +188,15 @@ std::int32_t LMCutEvaluator::reduce_cut() {
     return cheapest;
 }
 
-/// The supporter of a rule one of whose preconditions became cheaper; false if the rule did not.
-bool LMCutEvaluator::update_supporter(std::uint32_t rule) {
-    Supporter& supporter = supporters_[rule];
-    Supporter best{supporter.proposition, reached_cost_[supporter.proposition]};
+/// The first of a rule's most expensive preconditions. (Ties broken by cost alone make the estimate a
+/// function of the state; on initial states of IPC tasks the first gives higher estimates than the last, and
+/// than keeping the old supporter.)
+LMCutEvaluator::Supporter LMCutEvaluator::most_expensive(std::uint32_t rule) const {
+    Supporter best{RelaxedTask::kTrue, -1};
     for (const std::uint32_t precondition : task_.rule(rule).preconditions) {
         if (reached_cost_[precondition] > best.cost) best = {precondition, reached_cost_[precondition]};
     }
-    const bool cheaper = best.cost < supporter.cost;
-    supporter = best;
-    return cheaper;
+    return best;
 }
 
 /// Repairs hmax and supporters after the cut's operators became cheaper.
@@ -213,7 +212,9 @@ void LMCutEvaluator::repair() {
         if (entry.key != reached_cost_[entry.item]) continue;
         for (const std::uint32_t rule : task_.precondition_of(entry.item)) {
             if (supporters_[rule].proposition != entry.item || !reached(rule)) continue;
-            if (update_supporter(rule)) fire(rule);
+            const std::int32_t before = supporters_[rule].cost;
+            supporters_[rule] = most_expensive(rule);
+            if (supporters_[rule].cost < before) fire(rule);
         }
     }
 }

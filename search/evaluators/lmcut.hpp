@@ -45,7 +45,7 @@ class LMCutEvaluator final : public Evaluator {
     void repair();
     void fire(std::uint32_t rule);
     void reach(std::uint32_t proposition, std::int32_t cost);
-    bool update_supporter(std::uint32_t rule);
+    Supporter most_expensive(std::uint32_t rule) const;
 
     void mark_goal_zone();
     void find_cut();

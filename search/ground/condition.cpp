@@ -13,7 +13,8 @@ Condition constant(bool value) {
 }
 
 /// Joins parts under `kind`; `unit` is its neutral element, `zero` its absorbing one.
-Condition join(Condition::Kind kind, Condition::Kind unit, Condition::Kind zero, std::vector<Condition> parts) {
+Condition join(Condition::Kind kind, Condition::Kind unit, Condition::Kind zero,
+               std::vector<Condition> parts) {
     Condition result;
     result.kind = kind;
     for (Condition& part : parts) {
@@ -51,7 +52,8 @@ std::vector<Condition> normalise_all(const std::vector<Formula>& formulas, bool 
     return result;
 }
 
-void collect_free(const Condition& condition, std::vector<std::uint32_t>& bound, std::vector<std::uint32_t>& free) {
+void collect_free(const Condition& condition, std::vector<std::uint32_t>& bound,
+                  std::vector<std::uint32_t>& free) {
     for (Term term : condition.terms)
         if (term.is_variable() && std::find(bound.begin(), bound.end(), term.variable_index()) == bound.end())
             free.push_back(term.variable_index());
@@ -75,10 +77,14 @@ Condition disjunction(std::vector<Condition> parts) {
 
 Condition normalise(const Formula& formula, bool negate) {
     switch (formula.kind) {
-        case Connective::truth: return constant(!negate);
-        case Connective::falsity: return constant(negate);
-        case Connective::equality: return normalise_equality(formula, negate);
-        case Connective::negation: return normalise(formula.children.front(), !negate);
+        case Connective::truth:
+            return constant(!negate);
+        case Connective::falsity:
+            return constant(negate);
+        case Connective::equality:
+            return normalise_equality(formula, negate);
+        case Connective::negation:
+            return normalise(formula.children.front(), !negate);
         case Connective::atom: {
             Condition result;
             result.kind = Condition::Kind::literal;
@@ -108,7 +114,8 @@ Condition normalise(const Formula& formula, bool negate) {
             result.kind = kind;
             result.variables = formula.variables;
             if (child.kind == kind) {
-                result.variables.insert(result.variables.end(), child.variables.begin(), child.variables.end());
+                result.variables.insert(result.variables.end(), child.variables.begin(),
+                                        child.variables.end());
                 Condition inner = std::move(child.children.front());
                 child = std::move(inner);
             }

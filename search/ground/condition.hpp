@@ -9,10 +9,19 @@
 
 namespace praxis::grounding {
 
-/// A formula in which only literals and equalities are negated, `and`/`or` are not nested in their own kind, implications
-/// are gone, and equalities between objects are decided.
+/// A formula in which only literals and equalities are negated, `and`/`or` are not nested in their own kind,
+/// implications are gone, and equalities between objects are decided.
 struct Condition {
-    enum class Kind : std::uint8_t { truth, falsity, literal, equality, conjunction, disjunction, exists, forall };
+    enum class Kind : std::uint8_t {
+        truth,
+        falsity,
+        literal,
+        equality,
+        conjunction,
+        disjunction,
+        exists,
+        forall
+    };
     Kind kind = Kind::truth;
     bool negated = false;  ///< literal, equality
     PredicateId predicate;

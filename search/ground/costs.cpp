@@ -52,11 +52,20 @@ std::optional<Rational> CostEvaluator::evaluate(const Expression& expression, co
             continue;
         }
         switch (expression.kind) {
-            case Kind::add: result = *result + *value; break;
-            case Kind::subtract: result = *result - *value; break;
-            case Kind::multiply: result = *result * *value; break;
-            case Kind::divide: result = *result / *value; break;
-            default: break;
+            case Kind::add:
+                result = *result + *value;
+                break;
+            case Kind::subtract:
+                result = *result - *value;
+                break;
+            case Kind::multiply:
+                result = *result * *value;
+                break;
+            case Kind::divide:
+                result = *result / *value;
+                break;
+            default:
+                break;
         }
     }
     return result;
@@ -74,7 +83,8 @@ bool CostEvaluator::evaluate(const Object* binding) {
         refuse("the cost of '" + schema_.name + "' divides by zero");
     }
     if (!value) return false;
-    if (*value < Rational()) refuse("the cost of '" + schema_.name + "' is negative for some of its instances");
+    if (*value < Rational())
+        refuse("the cost of '" + schema_.name + "' is negative for some of its instances");
     value_ = *value;
     return true;
 }

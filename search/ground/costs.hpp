@@ -14,8 +14,8 @@ class CostEvaluator {
   public:
     CostEvaluator(const LiftedTask& task, const Schema& schema);
 
-    /// False if a function has no value there: the action cannot be applied. Throws UnsupportedError, at the expression's
-    /// place, for a negative cost and for numbers that do not fit.
+    /// False if a function has no value there: the action cannot be applied. Throws UnsupportedError, at the
+    /// expression's place, for a negative cost and for numbers that do not fit.
     bool evaluate(const Object* binding);
     Rational value() const { return value_; }
 

@@ -82,8 +82,9 @@ class Encoder {
         for (Literal literal : literals) {
             if (!is_negative(literal)) continue;
             const Fact own = fact(atom_of(literal));
-            const auto same = std::find_if(facts.begin(), facts.begin() + static_cast<std::ptrdiff_t>(positives),
-                                           [&](Fact other) { return other.variable == own.variable; });
+            const auto same =
+                std::find_if(facts.begin(), facts.begin() + static_cast<std::ptrdiff_t>(positives),
+                             [&](Fact other) { return other.variable == own.variable; });
             if (same != facts.begin() + static_cast<std::ptrdiff_t>(positives)) {
                 if (same->value == own.value) return false;
                 continue;
@@ -183,7 +184,8 @@ class Encoder {
         Rational largest;
         for (const Rational& cost : task_.costs) largest = std::max(largest, cost);
         try {
-            if (scale == 0 || largest * Rational(scale) > Rational(std::numeric_limits<std::int32_t>::max() / 2))
+            if (scale == 0 ||
+                largest * Rational(scale) > Rational(std::numeric_limits<std::int32_t>::max() / 2))
                 throw std::overflow_error("costs");
         } catch (const std::overflow_error&) {
             refuse(lifted_, cost_place(),
@@ -325,8 +327,9 @@ class Encoder {
 
 }  // namespace
 
-FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task, const MutexGroups& mutex_groups,
-                        const Relations& relations, const std::vector<RelationId>& actions, bool prune_irrelevant) {
+FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task,
+                        const MutexGroups& mutex_groups, const Relations& relations,
+                        const std::vector<RelationId>& actions, bool prune_irrelevant) {
     Encoder encoder(lifted, task, mutex_groups, relations, actions);
     return task.goal_reachable ? encoder.run(prune_irrelevant) : encoder.unsolvable();
 }

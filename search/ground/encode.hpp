@@ -10,10 +10,11 @@
 
 namespace praxis::grounding {
 
-/// Chooses variables among the mutex groups (greedily the largest first), encodes operators, axioms and goal, and, if
-/// asked, leaves out variables that cannot matter for the goal. Throws UnsupportedError for costs too large or axioms that
-/// depend on their own negation.
-FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task, const MutexGroups& mutex_groups,
-                        const Relations& relations, const std::vector<RelationId>& actions, bool prune_irrelevant);
+/// Chooses variables among the mutex groups (greedily the largest first), encodes operators, axioms and goal,
+/// and, if asked, leaves out variables that cannot matter for the goal. Throws UnsupportedError for costs too
+/// large or axioms that depend on their own negation.
+FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task,
+                        const MutexGroups& mutex_groups, const Relations& relations,
+                        const std::vector<RelationId>& actions, bool prune_irrelevant);
 
 }  // namespace praxis::grounding

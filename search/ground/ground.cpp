@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "parser/diagnostic.hpp"
 #include "search/ground/encode.hpp"
 #include "search/ground/instantiate.hpp"
 #include "search/ground/invariants.hpp"
@@ -44,7 +45,8 @@ std::size_t tuples_of(const grounding::Relations& relations, const std::vector<g
 [[noreturn]] void refuse_unstratified(const LiftedTask& task) {
     const Location where = task.axioms.empty() ? task.goal.where : task.axioms.front().where;
     const Diagnostic diagnostic{Severity::unsupported, where, true,
-                                "the derived predicates depend on their own negation (no stratification)", ""};
+                                "the derived predicates depend on their own negation (no stratification)",
+                                ""};
     throw UnsupportedError(to_string(diagnostic, *task.sources), {diagnostic});
 }
 
@@ -65,7 +67,8 @@ GroundResult ground(const LiftedTask& lifted, const GroundOptions& options, cons
 
     const Reached reached = reach(normal, relations);
     if (!reached.complete) return out_of_budget();
-    timer.done("reach", {{"derivations", reached.derivations}, {"actions", tuples_of(relations, reached.actions)}});
+    timer.done("reach",
+               {{"derivations", reached.derivations}, {"actions", tuples_of(relations, reached.actions)}});
 
     Instantiated instantiated = instantiate(normal, reached, relations);
     if (!instantiated.complete) return out_of_budget();
@@ -75,9 +78,11 @@ GroundResult ground(const LiftedTask& lifted, const GroundOptions& options, cons
                                {"axioms", propositions.heads.size()}});
 
     if (!simplify_axioms(propositions)) refuse_unstratified(lifted);
-    timer.done("simplify", {{"operators", propositions.operator_count()}, {"axioms", propositions.heads.size()}});
+    timer.done("simplify",
+               {{"operators", propositions.operator_count()}, {"axioms", propositions.heads.size()}});
 
-    const MutexGroups groups = find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
+    const MutexGroups groups =
+        find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
     if (budget.exhausted() != Stop::none) return out_of_budget();
     timer.done("invariants", {{"candidates", groups.candidates},
                               {"invariants", groups.invariants},

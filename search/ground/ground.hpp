@@ -1,7 +1,7 @@
 // Grounding: lifted task in, finite-domain task out.
 //
-// Phases, each timed: normalise, reach (lifted relaxed reachability as semi-naive Datalog), instantiate, simplify, invariants
-// (mutex groups), encode (variables, operators, axioms). See docs/grounding.md.
+// Phases, each timed: normalise, reach (lifted relaxed reachability as semi-naive Datalog), instantiate,
+// simplify, invariants (mutex groups), encode (variables, operators, axioms). See docs/grounding.md.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,8 @@
 namespace praxis {
 
 struct GroundOptions {
-    /// Leave out what cannot matter for the goal. Off: any goal and initial state over the reachable facts can be posed later.
+    /// Leave out what cannot matter for the goal. Off: any goal and initial state over the reachable facts
+    /// can be posed later.
     bool prune_irrelevant = true;
     /// Wall seconds for the search for invariants; when they are spent, those found so far are used.
     double invariant_seconds = 20;
@@ -25,7 +26,7 @@ struct GroundOptions {
 /// What one phase of grounding did.
 struct PhaseStatistics {
     std::string name;
-    double seconds = 0;         ///< processor time of this thread
+    double seconds = 0;           ///< processor time of this thread
     std::size_t peak_memory = 0;  ///< of the process at the end of the phase, bytes
     std::vector<std::pair<std::string, std::size_t>> counts;  ///< "facts", "operators", ...
 };
@@ -36,7 +37,8 @@ struct GroundResult {
     std::vector<PhaseStatistics> phases;
 };
 
-/// Throws UnsupportedError where the task uses what cannot be grounded (negative costs, undefined function values, ...).
+/// Throws UnsupportedError where the task uses what cannot be grounded (negative costs, undefined function
+/// values, ...).
 GroundResult ground(const LiftedTask& task, const GroundOptions& options = {}, const Budget& budget = {});
 
 }  // namespace praxis

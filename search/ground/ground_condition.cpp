@@ -25,11 +25,15 @@ Object value(std::int32_t term, const Object* binding) {
 /// Cheap and decisive conditions first.
 int rank(const Condition& condition, const std::vector<bool>& exact) {
     switch (condition.kind) {
-        case Kind::equality: return 0;
-        case Kind::literal: return exact[condition.predicate.index()] ? 1 : 2;
+        case Kind::equality:
+            return 0;
+        case Kind::literal:
+            return exact[condition.predicate.index()] ? 1 : 2;
         case Kind::conjunction:
-        case Kind::disjunction: return 3;
-        default: return 4;
+        case Kind::disjunction:
+            return 3;
+        default:
+            return 4;
     }
 }
 
@@ -52,11 +56,12 @@ void tidy(Disjunction& disjunction) {
     if (disjunction.size() > kMostForSubsumption) return;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < disjunction.size(); ++i) {
-        const bool implied = std::any_of(disjunction.begin(), disjunction.begin() + static_cast<std::ptrdiff_t>(kept),
-                                         [&](const Conjunction& shorter) {
-                                             return std::includes(disjunction[i].begin(), disjunction[i].end(),
-                                                                  shorter.begin(), shorter.end());
-                                         });
+        const bool implied =
+            std::any_of(disjunction.begin(), disjunction.begin() + static_cast<std::ptrdiff_t>(kept),
+                        [&](const Conjunction& shorter) {
+                            return std::includes(disjunction[i].begin(), disjunction[i].end(),
+                                                 shorter.begin(), shorter.end());
+                        });
         if (implied) continue;
         if (kept != i) disjunction[kept] = std::move(disjunction[i]);
         ++kept;
@@ -117,7 +122,8 @@ GroundableCondition ConditionGrounder::prepare(const Condition& condition, const
     return result;
 }
 
-ConditionGrounder::Known ConditionGrounder::look_up(RelationId relation, const Object* tuple, AtomId& atom) const {
+ConditionGrounder::Known ConditionGrounder::look_up(RelationId relation, const Object* tuple,
+                                                    AtomId& atom) const {
     const Row row = relations_[relation].find(tuple);
     if (row == kNoRow) return Known::no;
     if (exact_[relation]) return Known::yes;
@@ -125,8 +131,8 @@ ConditionGrounder::Known ConditionGrounder::look_up(RelationId relation, const O
     return task_.constant[atom] ? Known::yes : Known::open;
 }
 
-ConditionGrounder::Known ConditionGrounder::evaluate(const GroundableCondition& literal, const Object* binding,
-                                                     AtomId& atom) {
+ConditionGrounder::Known ConditionGrounder::evaluate(const GroundableCondition& literal,
+                                                     const Object* binding, AtomId& atom) {
     Known known;
     if (literal.kind == Kind::equality) {
         known = value(literal.terms[0], binding) == value(literal.terms[1], binding) ? Known::yes : Known::no;
@@ -142,8 +148,10 @@ ConditionGrounder::Known ConditionGrounder::evaluate(const GroundableCondition& 
 bool ConditionGrounder::add(const GroundableCondition& condition, Object* binding, Conjunction& literals,
                             Factors& factors) {
     switch (condition.kind) {
-        case Kind::truth: return true;
-        case Kind::falsity: return false;
+        case Kind::truth:
+            return true;
+        case Kind::falsity:
+            return false;
         case Kind::literal:
         case Kind::equality: {
             AtomId atom = 0;
@@ -152,8 +160,9 @@ bool ConditionGrounder::add(const GroundableCondition& condition, Object* bindin
             return known != Known::no;
         }
         case Kind::conjunction:
-            return std::all_of(condition.children.begin(), condition.children.end(),
-                               [&](const GroundableCondition& child) { return add(child, binding, literals, factors); });
+            return std::all_of(
+                condition.children.begin(), condition.children.end(),
+                [&](const GroundableCondition& child) { return add(child, binding, literals, factors); });
         case Kind::forall: {
             bool possible = true;
             const bool whole = condition.plan.run(relations_, binding, kNoRow, [&] {
@@ -164,7 +173,8 @@ bool ConditionGrounder::add(const GroundableCondition& condition, Object* bindin
             return possible;
         }
         case Kind::disjunction:
-        case Kind::exists: return add_disjunction(condition, binding, literals, factors);
+        case Kind::exists:
+            return add_disjunction(condition, binding, literals, factors);
     }
     return true;
 }
@@ -179,8 +189,8 @@ bool ConditionGrounder::add_alternative(const GroundableCondition& condition, Ob
     return !certain;
 }
 
-bool ConditionGrounder::add_disjunction(const GroundableCondition& condition, Object* binding, Conjunction& literals,
-                                        Factors& factors) {
+bool ConditionGrounder::add_disjunction(const GroundableCondition& condition, Object* binding,
+                                        Conjunction& literals, Factors& factors) {
     Disjunction alternatives;
     bool open = true;  // no alternative is certain so far
     if (condition.kind == Kind::exists) {
@@ -209,7 +219,8 @@ bool ConditionGrounder::add_disjunction(const GroundableCondition& condition, Ob
     return true;
 }
 
-void ConditionGrounder::multiply_out(Conjunction literals, Factors factors, std::size_t most, Disjunction& result) {
+void ConditionGrounder::multiply_out(Conjunction literals, Factors factors, std::size_t most,
+                                     Disjunction& result) {
     std::sort(factors.begin(), factors.end());
     factors.erase(std::unique(factors.begin(), factors.end()), factors.end());
     std::stable_sort(factors.begin(), factors.end(),

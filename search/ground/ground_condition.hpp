@@ -1,9 +1,9 @@
-// Conditions made ready for grounding, and their evaluation under a binding: what is decided by what never changes (or is
-// never reached) goes away, what is left is a disjunction of conjunctions of literals.
+// Conditions made ready for grounding, and their evaluation under a binding: what is decided by what never
+// changes (or is never reached) goes away, what is left is a disjunction of conjunctions of literals.
 //
-// Quantifiers do not enumerate all objects: the positive atoms under `exists`, and the negated ones under `forall`, are
-// joined, and only their matches looked at. A product of disjunctions is multiplied out while it stays small;
-// otherwise auxiliary derived atoms stand for the factors.
+// Quantifiers do not enumerate all objects: the positive atoms under `exists`, and the negated ones under
+// `forall`, are joined, and only their matches looked at. A product of disjunctions is multiplied out while
+// it stays small; otherwise auxiliary derived atoms stand for the factors.
 #pragma once
 
 #include <map>
@@ -34,12 +34,12 @@ class ConditionGrounder {
     GroundableCondition prepare(const Condition& condition, const std::vector<TypeId>& variable_types,
                                 std::vector<bool> bound) const;
     /// A plan over the generators of a conjunction that gives values to `variables`.
-    JoinPlan generator_plan(std::span<const Condition> conjuncts, bool negate, const std::vector<BodyAtom>& more,
-                            const std::vector<std::uint32_t>& variables, const std::vector<TypeId>& variable_types,
-                            const std::vector<bool>& bound) const;
+    JoinPlan generator_plan(std::span<const Condition> conjuncts, bool negate,
+                            const std::vector<BodyAtom>& more, const std::vector<std::uint32_t>& variables,
+                            const std::vector<TypeId>& variable_types, const std::vector<bool>& bound) const;
 
-    /// The disjunction that the condition comes to; empty: it is false; an empty conjunction in it: it is true. At most
-    /// `most` conjunctions.
+    /// The disjunction that the condition comes to; empty: it is false; an empty conjunction in it: it is
+    /// true. At most `most` conjunctions.
     void ground(const GroundableCondition& condition, Object* binding, std::size_t most, Disjunction& result);
 
     /// A derived atom that holds if the disjunction does; the same for the same disjunction.

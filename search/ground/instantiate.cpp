@@ -63,7 +63,8 @@ class Instantiation {
             const Relation& initial = lifted_.initial_atoms[p];
             for (std::size_t i = 0; i < initial.count; ++i) {
                 for (std::size_t c = 0; c < initial.arity; ++c) put(c, initial.tuple(i)[c].index());
-                task_.initial[task_.first_atom[p] + relations_[static_cast<RelationId>(p)].find(tuple_.data())] = true;
+                task_.initial[task_.first_atom[p] +
+                              relations_[static_cast<RelationId>(p)].find(tuple_.data())] = true;
             }
         }
         task_.first_atom.push_back(next);
@@ -90,8 +91,9 @@ class Instantiation {
                 const TupleStore& actions = relations_[reached_.actions[s]];
                 for (Row row = 0; row < actions.size() && complete_; ++row) {
                     std::copy_n(actions.row(row), actions.arity(), binding_.begin());
-                    complete_ = effect.effect->variables.empty() ? mark()
-                                                                 : plan.run(relations_, binding_.data(), kNoRow, mark);
+                    complete_ = effect.effect->variables.empty()
+                                    ? mark()
+                                    : plan.run(relations_, binding_.data(), kNoRow, mark);
                 }
             }
         }
@@ -106,9 +108,11 @@ class Instantiation {
         return bound;
     }
 
-    JoinPlan effect_plan(const NormalEffect& effect, const std::vector<TypeId>& types, const std::vector<bool>& bound) {
+    JoinPlan effect_plan(const NormalEffect& effect, const std::vector<TypeId>& types,
+                         const std::vector<bool>& bound) {
         const std::vector<BodyAtom> atom{{effect.effect->predicate.index(), effect.effect->terms, false}};
-        return conditions_.generator_plan(conjuncts(effect.condition), false, atom, effect.effect->variables, types, bound);
+        return conditions_.generator_plan(conjuncts(effect.condition), false, atom, effect.effect->variables,
+                                          types, bound);
     }
 
     void put(std::size_t column, Object object) {
@@ -118,7 +122,8 @@ class Instantiation {
 
     Row find(RelationId relation, const std::vector<std::int32_t>& terms) {
         for (std::size_t c = 0; c < terms.size(); ++c)
-            put(c, terms[c] >= 0 ? binding_[static_cast<std::size_t>(terms[c])] : static_cast<Object>(~terms[c]));
+            put(c, terms[c] >= 0 ? binding_[static_cast<std::size_t>(terms[c])]
+                                 : static_cast<Object>(~terms[c]));
         return relations_[relation].find(tuple_.data());
     }
 
@@ -176,14 +181,16 @@ class Instantiation {
         complex_ = conditions_.prepare(conjunction(std::move(rest)), types, bound);
     }
 
-    void prepare_effects(const NormalSchema& normal, const std::vector<TypeId>& types, const std::vector<bool>& bound) {
+    void prepare_effects(const NormalSchema& normal, const std::vector<TypeId>& types,
+                         const std::vector<bool>& bound) {
         effects_.clear();
         for (const bool add : {false, true}) {
             for (const NormalEffect& effect : normal.effects) {
                 if (effect.effect->add != add) continue;
                 PreparedEffect& made = effects_.emplace_back();
                 made.add = add;
-                made.plain = effect.effect->variables.empty() && effect.condition.kind == Condition::Kind::truth;
+                made.plain =
+                    effect.effect->variables.empty() && effect.condition.kind == Condition::Kind::truth;
                 made.relation = effect.effect->predicate.index();
                 made.terms = codes(effect.effect->terms);
                 if (made.plain) continue;
@@ -264,7 +271,8 @@ class Instantiation {
         }
     }
 
-    /// Drops effects without effect: repeated ones, deletes of what is added for sure, what the precondition says already.
+    /// Drops effects without effect: repeated ones, deletes of what is added for sure, what the precondition
+    /// says already.
     void tidy_effects(const Conjunction& precondition) {
         auto& effects = operator_effects_;
         std::vector<Literal>& sure = sure_adds_;

@@ -44,7 +44,8 @@ class Search {
         : task_(task), relations_(relations), budget_(budget) {
         predicate_of_.resize(task.auxiliary_begin());
         for (std::uint32_t p = 0; p + 1 < task.first_atom.size(); ++p)
-            std::fill(predicate_of_.begin() + task.first_atom[p], predicate_of_.begin() + task.first_atom[p + 1], p);
+            std::fill(predicate_of_.begin() + task.first_atom[p],
+                      predicate_of_.begin() + task.first_atom[p + 1], p);
         part_of_.assign(task.first_atom.size(), kNone);
         index_operators();
     }
@@ -53,10 +54,12 @@ class Search {
         std::deque<Candidate> queue;
         const auto enqueue = [&](Candidate candidate) {
             candidate = canonical(std::move(candidate));
-            if (seen_.size() < kMostCandidates && seen_.insert(candidate).second) queue.push_back(std::move(candidate));
+            if (seen_.size() < kMostCandidates && seen_.insert(candidate).second)
+                queue.push_back(std::move(candidate));
         };
         for (std::uint32_t p = 0; p + 1 < task_.first_atom.size(); ++p) {
-            if (task_.first_atom[p] == task_.first_atom[p + 1] || task_.derived[task_.first_atom[p]]) continue;
+            if (task_.first_atom[p] == task_.first_atom[p + 1] || task_.derived[task_.first_atom[p]])
+                continue;
             const std::uint32_t arity = relations_[p].arity();
             for (std::uint32_t counted = 0; counted <= arity; ++counted) {
                 Part part{p, {}};
@@ -100,7 +103,8 @@ class Search {
             for (std::size_t o = 0; o < task_.operator_count(); ++o) {
                 predicates.clear();
                 for (const PropositionEffect& effect : task_.effects[o])
-                    if (!is_negative(effect.literal)) predicates.push_back(predicate_of_[atom_of(effect.literal)]);
+                    if (!is_negative(effect.literal))
+                        predicates.push_back(predicate_of_[atom_of(effect.literal)]);
                 std::sort(predicates.begin(), predicates.end());
                 predicates.erase(std::unique(predicates.begin(), predicates.end()), predicates.end());
                 for (std::uint32_t predicate : predicates) use(predicate, static_cast<std::uint32_t>(o));
@@ -140,7 +144,8 @@ class Search {
         bool result = true;
         for (std::size_t i = 0; i < candidate.size() && result; ++i) {
             const std::uint32_t predicate = candidate[i].predicate;
-            for (std::uint32_t a = adders_begin_[predicate]; a < adders_begin_[predicate + 1] && result; ++a) {
+            for (std::uint32_t a = adders_begin_[predicate]; a < adders_begin_[predicate + 1] && result;
+                 ++a) {
                 if ((a & 4095) == 4095 && budget_.exhausted() != Stop::none) {
                     result = false;
                     break;
@@ -166,7 +171,8 @@ class Search {
         for (std::size_t a = 0; a < adds_.size(); ++a) {
             const Covered& add = adds_[a];
             for (std::size_t b = 0; b < a; ++b)
-                if (adds_[b].atom != add.atom && same_weight(adds_[b], add) && !exclusive(adds_[b], add)) return false;
+                if (adds_[b].atom != add.atom && same_weight(adds_[b], add) && !exclusive(adds_[b], add))
+                    return false;
             if (!covered_by_delete(o, add)) {
                 extend(o, add, extensions);
                 return false;
@@ -223,7 +229,8 @@ class Search {
         return contradictory(extra_);
     }
 
-    /// An effect with condition `condition` happens whenever the operator's effect with condition `given` does.
+    /// An effect with condition `condition` happens whenever the operator's effect with condition `given`
+    /// does.
     bool happens(std::uint32_t o, std::uint32_t condition, std::uint32_t given) const {
         if (condition == 0 || condition == given) return true;
         const auto precondition = task_.preconditions[o];
@@ -252,7 +259,8 @@ class Search {
             const std::size_t parameters = add.part->columns.size();
             if (arity != parameters && arity != parameters + 1) continue;
             Part part{predicate, {}};
-            match(add, relations_[predicate].row(atom - task_.first_atom[predicate]), arity, part, extensions);
+            match(add, relations_[predicate].row(atom - task_.first_atom[predicate]), arity, part,
+                  extensions);
         }
     }
 
@@ -285,7 +293,8 @@ class Search {
         std::vector<std::pair<std::uint32_t, AtomId>> members;
         std::vector<Object> key(parameters);
         for (const Part& part : candidate) {
-            for (AtomId atom = task_.first_atom[part.predicate]; atom < task_.first_atom[part.predicate + 1]; ++atom) {
+            for (AtomId atom = task_.first_atom[part.predicate]; atom < task_.first_atom[part.predicate + 1];
+                 ++atom) {
                 const Object* row = relations_[part.predicate].row(atom - task_.first_atom[part.predicate]);
                 for (std::size_t i = 0; i < parameters; ++i) key[i] = row[part.columns[i]];
                 const auto [number, fresh] = keys.insert(key.data());
@@ -309,9 +318,9 @@ class Search {
     const PropositionTask& task_;
     const Relations& relations_;
     const Budget& budget_;
-    std::vector<std::uint32_t> predicate_of_;   ///< by atom
-    std::vector<std::uint32_t> adders_begin_;   ///< by predicate
-    std::vector<std::uint32_t> adders_;         ///< operators that add an atom of the predicate
+    std::vector<std::uint32_t> predicate_of_;  ///< by atom
+    std::vector<std::uint32_t> adders_begin_;  ///< by predicate
+    std::vector<std::uint32_t> adders_;        ///< operators that add an atom of the predicate
     std::set<Candidate> seen_;
     std::size_t steps_ = 0;
     MutexGroups result_;

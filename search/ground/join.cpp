@@ -20,8 +20,8 @@ std::int32_t code(Term term) {
 
 }  // namespace
 
-/// Orders a body greedily: whatever can be checked is checked at once, then the atom with the fewest expected matches
-/// comes next; variables that no atom binds are enumerated last, smallest type first.
+/// Orders a body greedily: whatever can be checked is checked at once, then the atom with the fewest expected
+/// matches comes next; variables that no atom binds are enumerated last, smallest type first.
 class JoinPlanner {
   public:
     JoinPlanner(JoinPlan& plan, Relations& relations, const Body& body, const std::vector<TypeId>& types,
@@ -40,7 +40,8 @@ class JoinPlanner {
             finish_row_step(step, body_.atoms[*start_.trigger]);
         }
         for (;;) {
-            while (add_checks()) {}
+            while (add_checks()) {
+            }
             const std::size_t atom = cheapest_atom();
             if (atom != kNone) {
                 add_atom(atom);
@@ -166,9 +167,11 @@ class JoinPlanner {
         std::vector<std::uint32_t> fresh;
         for (std::size_t c = 0; c < atom.terms.size(); ++c) {
             const Term term = atom.terms[c];
-            const bool is_fresh = term.is_variable() && std::find(fresh.begin(), fresh.end(), term.variable_index()) != fresh.end();
+            const bool is_fresh = term.is_variable() &&
+                                  std::find(fresh.begin(), fresh.end(), term.variable_index()) != fresh.end();
             if (is_fresh || known(term)) {
-                if (!keyed || is_fresh) checks.insert(checks.end(), {static_cast<std::int32_t>(c), code(term)});
+                if (!keyed || is_fresh)
+                    checks.insert(checks.end(), {static_cast<std::int32_t>(c), code(term)});
             } else {
                 fresh.push_back(term.variable_index());
                 binds.insert(binds.end(), {static_cast<std::int32_t>(c), code(term)});
@@ -202,7 +205,8 @@ class JoinPlanner {
             columns.push_back(static_cast<std::uint32_t>(c));
             key.push_back(atom.terms[c]);
         }
-        JoinPlan::Step step = row_step(columns.empty() ? JoinPlan::Kind::scan : JoinPlan::Kind::probe, atom, true);
+        JoinPlan::Step step =
+            row_step(columns.empty() ? JoinPlan::Kind::scan : JoinPlan::Kind::probe, atom, true);
         step.before_trigger = before_trigger(number);
         if (!columns.empty()) {
             step.index = relations_[atom.relation].index_on(columns);
@@ -234,9 +238,12 @@ class JoinPlanner {
 
     bool wanted(std::size_t variable) const {
         if (start_.needed[variable]) return true;
-        const auto mentions = [&](Term term) { return term.is_variable() && term.variable_index() == variable; };
+        const auto mentions = [&](Term term) {
+            return term.is_variable() && term.variable_index() == variable;
+        };
         for (std::size_t i = 0; i < body_.equal.size(); ++i)
-            if (!equal_done_[i] && (mentions(body_.equal[i].first) || mentions(body_.equal[i].second))) return true;
+            if (!equal_done_[i] && (mentions(body_.equal[i].first) || mentions(body_.equal[i].second)))
+                return true;
         for (std::size_t i = 0; i < body_.unequal.size(); ++i)
             if (!unequal_done_[i] && (mentions(body_.unequal[i].first) || mentions(body_.unequal[i].second)))
                 return true;

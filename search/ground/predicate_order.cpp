@@ -20,7 +20,8 @@ std::vector<std::vector<PredicateId>> predicate_order(const LiftedTask& task) {
     for (const Axiom& axiom : task.axioms) add_edges(axiom.body, axiom.predicate.index(), graph);
     // Tarjan's algorithm numbers a component after all components it can reach, which is the order wanted.
     std::vector<std::size_t> component(task.predicates.size());
-    const auto map = boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, graph));
+    const auto map =
+        boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, graph));
     const std::size_t count = task.predicates.empty() ? 0 : boost::strong_components(graph, map);
     std::vector<std::vector<PredicateId>> result(count);
     for (std::size_t p = 0; p < component.size(); ++p) result[component[p]].emplace_back(p);

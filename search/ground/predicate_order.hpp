@@ -7,8 +7,8 @@
 
 namespace praxis::grounding {
 
-/// Strongly connected components of "occurs in an axiom of", each after those it depends on. Static and fluent predicates
-/// are components of one.
+/// Strongly connected components of "occurs in an axiom of", each after those it depends on. Static and
+/// fluent predicates are components of one.
 std::vector<std::vector<PredicateId>> predicate_order(const LiftedTask& task);
 
 }  // namespace praxis::grounding

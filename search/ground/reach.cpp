@@ -17,7 +17,8 @@ NormalTask normalise(const LiftedTask& task) {
         made.precondition = normalise(schema.precondition);
         for (const Effect& effect : schema.effects) {
             Condition condition = normalise(effect.condition);
-            if (condition.kind != Condition::Kind::falsity) made.effects.push_back({&effect, std::move(condition)});
+            if (condition.kind != Condition::Kind::falsity)
+                made.effects.push_back({&effect, std::move(condition)});
         }
     }
     for (const Axiom& axiom : task.axioms) normal.axioms.push_back(normalise(axiom.body));
@@ -61,7 +62,7 @@ class Engine {
     const std::vector<Rule>& rules_;
     const std::vector<std::vector<Consequence>>& consequences_;
     std::vector<bool> dynamic_;
-    std::vector<RelationId> queue_relations_;   ///< dynamic relations, each with unpublished rows or not
+    std::vector<RelationId> queue_relations_;     ///< dynamic relations, each with unpublished rows or not
     std::vector<std::vector<Trigger>> triggers_;  ///< by relation
     std::vector<Object> binding_;
     std::vector<Object> tuple_;
@@ -122,7 +123,8 @@ void Engine::find_dynamic(std::size_t first) {
     for (std::size_t r = first; r < rules_.size(); ++r) {
         const auto& atoms = rules_[r].body.atoms;
         for (std::size_t a = 0; a < atoms.size(); ++a)
-            if (!atoms[a].negated && dynamic_[atoms[a].relation]) triggers_[atoms[a].relation].push_back({r, a, {}});
+            if (!atoms[a].negated && dynamic_[atoms[a].relation])
+                triggers_[atoms[a].relation].push_back({r, a, {}});
     }
 }
 
@@ -325,12 +327,14 @@ class Reachability {
     }
 
     /// Heads whose terms may lie outside the declared types make the column distrusted.
-    void check_columns(RelationId relation, const std::vector<Term>& terms, const std::vector<TypeId>& types) {
+    void check_columns(RelationId relation, const std::vector<Term>& terms,
+                       const std::vector<TypeId>& types) {
         const auto& declared = lifted_.predicates[relation].parameters;
         for (std::size_t c = 0; c < terms.size(); ++c) {
-            const bool fits = terms[c].is_variable()
-                                  ? relations_.within(types[terms[c].variable_index()], declared[c])
-                                  : bool{lifted_.types[declared[c].index()].contains[terms[c].object_id().index()]};
+            const bool fits =
+                terms[c].is_variable()
+                    ? relations_.within(types[terms[c].variable_index()], declared[c])
+                    : bool{lifted_.types[declared[c].index()].contains[terms[c].object_id().index()]};
             if (!fits) relations_.distrust(relation, c);
         }
     }
@@ -346,6 +350,8 @@ class Reachability {
 
 }  // namespace
 
-Reached reach(const NormalTask& task, Relations& relations) { return Reachability(task, relations).run(); }
+Reached reach(const NormalTask& task, Relations& relations) {
+    return Reachability(task, relations).run();
+}
 
 }  // namespace praxis::grounding

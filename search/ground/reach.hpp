@@ -1,12 +1,14 @@
-// Relaxed reachability: which atoms can become true and which actions applicable if nothing were ever deleted.
+// Relaxed reachability: which atoms can become true and which actions applicable if nothing were ever
+// deleted.
 //
-// The lifted task is relaxed to a Datalog program over the relations: a rule body keeps the positive atoms, the
-// (in)equalities and the negated atoms of *exact* predicates (static ones, and derived ones that depend on static ones
-// only); other negations and universal conditions are dropped. Disjunctions become several rules while they are few, else
-// helper relations; existential conditions become helper relations over the variables they share with the outside, so that
-// witnesses do not multiply the instances. Evaluation is semi-naive, one tuple at a time: each rule has a join plan
-// for each atom that may trigger it (Helmert 2009 describes the program; the evaluation is that of modern grounders,
-// Gebser et al. 2011). Plans are made anew as relations grow.
+// The lifted task is relaxed to a Datalog program over the relations: a rule body keeps the positive atoms,
+// the (in)equalities and the negated atoms of *exact* predicates (static ones, and derived ones that depend
+// on static ones only); other negations and universal conditions are dropped. Disjunctions become several
+// rules while they are few, else helper relations; existential conditions become helper relations over the
+// variables they share with the outside, so that witnesses do not multiply the instances. Evaluation is
+// semi-naive, one tuple at a time: each rule has a join plan for each atom that may trigger it (Helmert 2009
+// describes the program; the evaluation is that of modern grounders, Gebser et al. 2011). Plans are made anew
+// as relations grow.
 #pragma once
 
 #include <vector>

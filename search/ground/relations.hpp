@@ -1,4 +1,5 @@
-// All relations of one grounding: the task's predicates first (relation number = predicate number), then helpers.
+// All relations of one grounding: the task's predicates first (relation number = predicate number), then
+// helpers.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +49,7 @@ class Relations {
     const Budget& budget_;
     mutable std::uint32_t ticks_ = 1;
     std::deque<TupleStore> stores_;
-    std::vector<std::vector<TypeId>> column_types_;  ///< an invalid id: distrusted
+    std::vector<std::vector<TypeId>> column_types_;      ///< an invalid id: distrusted
     std::vector<std::vector<std::uint32_t>> positions_;  ///< by type, made on demand
     std::size_t dense_budget_;
     mutable std::map<std::pair<TypeId, TypeId>, bool> within_;

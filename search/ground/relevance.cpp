@@ -20,7 +20,8 @@ std::vector<bool> relevant_variables(const FiniteDomainTask& task) {
     }
     std::vector<std::vector<std::uint32_t>> axioms_of(count);
     for (std::size_t a = 0; a < task.axioms.size(); ++a)
-        axioms_of[static_cast<std::size_t>(task.axioms[a].head.variable)].push_back(static_cast<std::uint32_t>(a));
+        axioms_of[static_cast<std::size_t>(task.axioms[a].head.variable)].push_back(
+            static_cast<std::uint32_t>(a));
 
     std::vector<bool> relevant(count, false);
     std::vector<std::int32_t> queue;
@@ -49,7 +50,8 @@ std::vector<bool> relevant_variables(const FiniteDomainTask& task) {
 
 class Restriction {
   public:
-    Restriction(FiniteDomainTask task, std::vector<bool> relevant) : old_(std::move(task)), relevant_(std::move(relevant)) {}
+    Restriction(FiniteDomainTask task, std::vector<bool> relevant)
+        : old_(std::move(task)), relevant_(std::move(relevant)) {}
 
     FiniteDomainTask run() {
         restrict_variables();

@@ -5,8 +5,8 @@
 
 namespace praxis::grounding {
 
-/// The task without the variables from which no path of the causal graph leads to the goal, and without the operators and
-/// axioms that are then without effect.
+/// The task without the variables from which no path of the causal graph leads to the goal, and without the
+/// operators and axioms that are then without effect.
 FiniteDomainTask without_irrelevant(FiniteDomainTask task);
 
 }  // namespace praxis::grounding

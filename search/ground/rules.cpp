@@ -54,7 +54,8 @@ std::vector<std::uint32_t> all_variables(const Body& body) {
     return variables;
 }
 
-std::vector<std::uint32_t> intersection(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+std::vector<std::uint32_t> intersection(const std::vector<std::uint32_t>& a,
+                                        const std::vector<std::uint32_t>& b) {
     std::vector<std::uint32_t> result;
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
     return result;
@@ -63,7 +64,8 @@ std::vector<std::uint32_t> intersection(const std::vector<std::uint32_t>& a, con
 /// The body without the checks that mention the variables dropped.
 Body restricted(const Body& body, const std::vector<std::uint32_t>& dropped) {
     const auto mentions = [&](Term term) {
-        return term.is_variable() && std::binary_search(dropped.begin(), dropped.end(), term.variable_index());
+        return term.is_variable() &&
+               std::binary_search(dropped.begin(), dropped.end(), term.variable_index());
     };
     Body result;
     for (const BodyAtom& atom : body.atoms)
@@ -80,8 +82,10 @@ Body restricted(const Body& body, const std::vector<std::uint32_t>& dropped) {
 std::vector<Body> RuleMaker::alternatives(const Condition& condition, const std::vector<TypeId>& types) {
     using Kind = Condition::Kind;
     switch (condition.kind) {
-        case Kind::truth: return {Body{}};
-        case Kind::falsity: return {};
+        case Kind::truth:
+            return {Body{}};
+        case Kind::falsity:
+            return {};
         case Kind::literal: {
             Body body;
             if (!condition.negated || exact_[condition.predicate.index()])
@@ -92,7 +96,8 @@ std::vector<Body> RuleMaker::alternatives(const Condition& condition, const std:
         }
         case Kind::equality: {
             Body body;
-            (condition.negated ? body.unequal : body.equal).emplace_back(condition.terms[0], condition.terms[1]);
+            (condition.negated ? body.unequal : body.equal)
+                .emplace_back(condition.terms[0], condition.terms[1]);
             return {std::move(body)};
         }
         case Kind::conjunction: {
@@ -117,13 +122,17 @@ std::vector<Body> RuleMaker::alternatives(const Condition& condition, const std:
                 if (relations_.task().types[types[variable].index()].objects.empty()) return {};
             return helper(parts, free_variables(condition), types);
         }
-        case Kind::forall: relaxed_ = true; return {Body{}};
+        case Kind::forall:
+            relaxed_ = true;
+            return {Body{}};
     }
     return {Body{}};
 }
 
-std::vector<Body> RuleMaker::conjunction_of(std::vector<std::vector<Body>> parts, const std::vector<TypeId>& types) {
-    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+std::vector<Body> RuleMaker::conjunction_of(std::vector<std::vector<Body>> parts,
+                                            const std::vector<TypeId>& types) {
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
     std::vector<Body> result(1);
     for (std::vector<Body>& part : parts) {
         if (result.size() * part.size() > kMostAlternatives) {
@@ -154,7 +163,8 @@ std::vector<Body> RuleMaker::helper(const std::vector<Body>& parts, const std::v
     for (const Body& part : parts) {
         std::vector<std::uint32_t> loose;
         const auto generated = generated_variables(part);
-        std::set_difference(outer.begin(), outer.end(), generated.begin(), generated.end(), std::back_inserter(loose));
+        std::set_difference(outer.begin(), outer.end(), generated.begin(), generated.end(),
+                            std::back_inserter(loose));
         kept.push_back(restricted(part, loose));
         if (kept.back().empty()) return {Body{}};
     }

@@ -32,7 +32,8 @@ Strata strata(const PropositionTask& task) {
     const Graph graph(boost::edges_are_unsorted_multi_pass, edges.begin(), edges.end(), task.atom_count);
     Strata result;
     result.component.resize(task.atom_count);
-    const auto map = boost::make_iterator_property_map(result.component.begin(), boost::get(boost::vertex_index, graph));
+    const auto map =
+        boost::make_iterator_property_map(result.component.begin(), boost::get(boost::vertex_index, graph));
     result.count = boost::strong_components(graph, map);
     for (std::size_t a = 0; a < task.heads.size(); ++a)
         for (Literal literal : task.bodies[a])
@@ -47,7 +48,8 @@ class AxiomSimplifier {
     explicit AxiomSimplifier(PropositionTask& task) : task_(task) {}
 
     bool run() {
-        if (task_.heads.empty() && std::find(task_.derived.begin(), task_.derived.end(), true) == task_.derived.end())
+        if (task_.heads.empty() &&
+            std::find(task_.derived.begin(), task_.derived.end(), true) == task_.derived.end())
             return true;
         strata_ = strata(task_);
         if (!strata_.stratified) return false;
@@ -75,7 +77,8 @@ class AxiomSimplifier {
         readers_.resize(task_.atom_count);
         for (std::size_t a = 0; a < task_.heads.size(); ++a)
             for (Literal literal : task_.bodies[a])
-                if (inner(a, atom_of(literal))) readers_[atom_of(literal)].push_back(static_cast<std::uint32_t>(a));
+                if (inner(a, atom_of(literal)))
+                    readers_[atom_of(literal)].push_back(static_cast<std::uint32_t>(a));
         std::vector<std::vector<std::uint32_t>> axioms(strata_.count);
         for (std::size_t a = 0; a < task_.heads.size(); ++a)
             axioms[strata_.component[task_.heads[a]]].push_back(static_cast<std::uint32_t>(a));
@@ -89,11 +92,13 @@ class AxiomSimplifier {
                 if (std::exchange(marked_[atom], char{0})) values_[atom] = Value::yes;
             fixpoint(axioms[s], Bound::upper);
             for (AtomId atom : atoms[s])
-                if (!std::exchange(marked_[atom], char{0}) && values_[atom] == Value::open) values_[atom] = Value::no;
+                if (!std::exchange(marked_[atom], char{0}) && values_[atom] == Value::open)
+                    values_[atom] = Value::no;
         }
     }
 
-    /// Marks what the axioms of one stratum derive when open literals are taken as false (lower) or true (upper).
+    /// Marks what the axioms of one stratum derive when open literals are taken as false (lower) or true
+    /// (upper).
     void fixpoint(const std::vector<std::uint32_t>& axioms, Bound bound) {
         std::vector<AtomId> queue;
         const auto derive = [&](AtomId head) {
@@ -115,7 +120,8 @@ class AxiomSimplifier {
         }
         for (std::size_t next = 0; next < queue.size(); ++next)
             for (std::uint32_t a : readers_[queue[next]])
-                if (missing_[a] != kNever && missing_[a] > 0 && values_[queue[next]] == Value::open && --missing_[a] == 0)
+                if (missing_[a] != kNever && missing_[a] > 0 && values_[queue[next]] == Value::open &&
+                    --missing_[a] == 0)
                     derive(task_.heads[a]);
     }
 
@@ -135,9 +141,8 @@ class AxiomSimplifier {
         std::vector<AtomId> order;
         for (AtomId atom = 0; atom < task_.atom_count; ++atom)
             if (task_.derived[atom] && values_[atom] == Value::open) order.push_back(atom);
-        std::sort(order.begin(), order.end(), [&](AtomId a, AtomId b) {
-            return strata_.component[a] < strata_.component[b];
-        });
+        std::sort(order.begin(), order.end(),
+                  [&](AtomId a, AtomId b) { return strata_.component[a] < strata_.component[b]; });
         for (AtomId atom : order) {
             std::vector<Conjunction> bodies;
             bool recursive = false;
@@ -152,7 +157,8 @@ class AxiomSimplifier {
             if (recursive || bodies.empty()) continue;
             if (bodies.size() == 1 && bodies[0].size() <= kLongestInlined) for_positive_[atom] = bodies[0];
             if (bodies.size() <= kLongestInlined &&
-                std::all_of(bodies.begin(), bodies.end(), [](const Conjunction& body) { return body.size() == 1; })) {
+                std::all_of(bodies.begin(), bodies.end(),
+                            [](const Conjunction& body) { return body.size() == 1; })) {
                 Conjunction negation;
                 for (const Conjunction& body : bodies) negation.push_back(opposite(body.front()));
                 for_negative_[atom] = std::move(negation);
@@ -162,7 +168,8 @@ class AxiomSimplifier {
 
     bool possible(std::size_t axiom) const {
         const auto body = task_.bodies[axiom];
-        return std::all_of(body.begin(), body.end(), [&](Literal literal) { return value(literal).value_or(true); });
+        return std::all_of(body.begin(), body.end(),
+                           [&](Literal literal) { return value(literal).value_or(true); });
     }
 
     /// The list with what is decided left out and substitutes put in; false if it cannot hold.
@@ -256,7 +263,9 @@ class AxiomSimplifier {
 
 }  // namespace
 
-bool simplify_axioms(PropositionTask& task) { return AxiomSimplifier(task).run(); }
+bool simplify_axioms(PropositionTask& task) {
+    return AxiomSimplifier(task).run();
+}
 
 std::vector<std::int32_t> axiom_layers(const PropositionTask& task) {
     const Strata order = strata(task);

@@ -113,7 +113,8 @@ void TupleStore::publish(Row end) {
 
 std::uint32_t TupleStore::index_on(std::span<const std::uint32_t> columns) {
     for (std::size_t i = 0; i < indices_.size(); ++i)
-        if (std::equal(columns.begin(), columns.end(), indices_[i].columns.begin(), indices_[i].columns.end()))
+        if (std::equal(columns.begin(), columns.end(), indices_[i].columns.begin(),
+                       indices_[i].columns.end()))
             return static_cast<std::uint32_t>(i);
     Index index;
     index.columns.assign(columns.begin(), columns.end());
@@ -145,7 +146,8 @@ void TupleStore::add_to(Index& index, Row i) {
     const Object* tuple = row(i);
     if (index.columns.size() == 1) {
         const Object object = tuple[index.columns[0]];
-        if (object >= index.heads.size()) index.heads.resize(std::max<std::size_t>(object + 1, index.heads.size() * 2));
+        if (object >= index.heads.size())
+            index.heads.resize(std::max<std::size_t>(object + 1, index.heads.size() * 2));
         index.keys += index.heads[object] == 0;
         index.next.push_back(index.heads[object] - 1);
         index.heads[object] = i + 1;

@@ -1,9 +1,10 @@
 // A growing relation of object tuples: rows in insertion order, a duplicate set, and indices for joins.
 //
-// Rows are numbered 0, 1, ... in insertion order and never move or go. Finding a tuple takes one look into a dense table
-// when the product of the column ranges is small, a hash look-up otherwise. An *index* lists the rows with given values
-// in some columns; it covers rows 0..indexed()-1: rows are inserted at once but become visible to joins only when the
-// caller says so (`publish`), which is what makes semi-naive evaluation derive everything once.
+// Rows are numbered 0, 1, ... in insertion order and never move or go. Finding a tuple takes one look into a
+// dense table when the product of the column ranges is small, a hash look-up otherwise. An *index* lists the
+// rows with given values in some columns; it covers rows 0..indexed()-1: rows are inserted at once but become
+// visible to joins only when the caller says so (`publish`), which is what makes semi-naive evaluation derive
+// everything once.
 //
 // Memory: 4 bytes a column, 4-8 bytes a row for the duplicate set, 4 bytes a row and index.
 #pragma once

@@ -76,12 +76,15 @@ void find_none_values(const PropositionTask& task, Variables& variables) {
         for (const PropositionEffect& effect : task.effects[o]) {
             if (!is_negative(effect.literal)) continue;
             const std::int32_t variable = variables.fact_of[atom_of(effect.literal)].variable;
-            if (variables.has_none[static_cast<std::size_t>(variable)] || overridden(task, variables, o, effect)) continue;
+            if (variables.has_none[static_cast<std::size_t>(variable)] ||
+                overridden(task, variables, o, effect))
+                continue;
             const auto precondition = task.preconditions[o];
-            const bool elsewhere = std::any_of(precondition.begin(), precondition.end(), [&](Literal literal) {
-                return !is_negative(literal) && literal != positive(atom_of(effect.literal)) &&
-                       variables.fact_of[atom_of(literal)].variable == variable;
-            });
+            const bool elsewhere =
+                std::any_of(precondition.begin(), precondition.end(), [&](Literal literal) {
+                    return !is_negative(literal) && literal != positive(atom_of(effect.literal)) &&
+                           variables.fact_of[atom_of(literal)].variable == variable;
+                });
             if (!elsewhere) variables.has_none[static_cast<std::size_t>(variable)] = true;
         }
     }
@@ -117,12 +120,14 @@ void add_shadows(const PropositionTask& task, Variables& variables) {
 
 }  // namespace
 
-bool overridden(const PropositionTask& task, const Variables& variables, std::size_t o, PropositionEffect deletion) {
+bool overridden(const PropositionTask& task, const Variables& variables, std::size_t o,
+                PropositionEffect deletion) {
     const std::int32_t variable = variables.fact_of[atom_of(deletion.literal)].variable;
     const auto precondition = task.preconditions[o];
     const auto given = task.conditions[deletion.condition];
     for (const PropositionEffect& effect : task.effects[o]) {
-        if (is_negative(effect.literal) || variables.fact_of[atom_of(effect.literal)].variable != variable) continue;
+        if (is_negative(effect.literal) || variables.fact_of[atom_of(effect.literal)].variable != variable)
+            continue;
         const auto wanted = task.conditions[effect.condition];
         if (std::all_of(wanted.begin(), wanted.end(), [&](Literal literal) {
                 return std::binary_search(given.begin(), given.end(), literal) ||
