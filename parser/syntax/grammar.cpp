@@ -23,8 +23,7 @@ bool is_utf8(std::string_view text) {
 
 namespace {
 
-// Actions
-// ---------------------------------------------------------------------------------------------------------
+// Actions.
 
 const auto open = [](auto& context) { builder(context).open(x3::_attr(context)); };
 const auto close = [](auto& context) { builder(context).close(x3::_attr(context)); };
@@ -43,16 +42,15 @@ const auto apply_types = [](auto& context) { builder(context).apply_types(); };
 template <NodeKind kind>
 const auto head = [](auto& context) { builder(context).set_head(kind, x3::_attr(context)); };
 
-// Typed lists
-// -----------------------------------------------------------------------------------------------------
+// Typed lists.
 
 const x3::rule<struct TypeClass> type("a type");
-const auto type_def = x3::eps[begin_types] >> (name[add_type] | (opening >> word(Word::either) >
-                                                                 *name[add_type] > closing("a type or ')'")));
+const auto either = (opening >> word(Word::either)) > *name[add_type] > closing("a type or ')'");
+const auto type_def = x3::eps[begin_types] >> (name[add_type] | either);
 
 template <class Item>
 auto typed_list(const Item& item) {
-    return x3::eps[begin_list] >> *(+item[add_item] >> -(word(Word::minus) > type)[apply_types]);
+    return x3::eps[begin_list] >> *((+item[add_item]) >> (-(word(Word::minus) > type)[apply_types]));
 }
 
 const x3::rule<struct NamesClass> typed_names("names");
@@ -60,8 +58,7 @@ const x3::rule<struct VariablesClass> typed_variables("variables");
 const auto typed_names_def = typed_list(name);
 const auto typed_variables_def = typed_list(variable);
 
-// Conditions, effects, expressions, facts
-// -------------------------------------------------------------------------
+// Conditions, effects, expressions, facts.
 
 const x3::rule<struct ListClass> list("'('");
 const x3::rule<struct BodyClass> body("a predicate or a word such as 'and', 'not', 'forall'");
@@ -109,8 +106,7 @@ const auto skipped_def = opening[enter] > *(any_word | skipped) > closing("a wor
 
 BOOST_SPIRIT_DEFINE(type, typed_names, typed_variables, list, body, operand, skipped)
 
-// Files
-// -----------------------------------------------------------------------------------------------------------
+// Files.
 
 bool is_section_start(const char* at, const char* last) {
     if (at == last || *at != '(') return false;
