@@ -15,7 +15,7 @@ mode=plan
 all=false
 for argument in "$@"; do
     case $argument in
-        --test) mode=test ;;
+        --test) mode="test" ;;
         --packages) mode=packages ;;
         --all) all=true ;;
         -h | --help) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 0 ;;
