@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,9 @@
 namespace praxis::app {
 namespace {
 
+/// Seconds or MiB; what is above cannot be told from no limit.
+constexpr double kLargestLimit = 1e9;
+
 /// Help pages with the usage lines of ours in place of a generated one.
 class UsageFormatter : public CLI::Formatter {
   public:
@@ -17,7 +21,7 @@ class UsageFormatter : public CLI::Formatter {
     std::string make_usage(const CLI::App*, std::string) const override { return usage_ + "\n"; }
     std::string make_option_opts(const CLI::Option* option) const override {
         if (option->get_type_size() == 0) return {};
-        return " " + option->get_type_name() + (option->get_required() ? "" : "");
+        return " " + option->get_type_name();
     }
 
   private:
@@ -30,6 +34,14 @@ void set_usage(CLI::App& app, const std::string& usage, const std::string& foote
     app.set_help_flag("-h,--help", "Show this page");
 }
 
+/// A finite number above zero (CLI11's own check lets "nan" pass).
+std::string positive_number(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() && *end == '\0' && number > 0 && number <= kLargestLimit) return {};
+    return "'" + text + "' is not a positive number";
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
     auto* quiet = app.add_flag("-q,--quiet", options.quiet, "Nothing on standard error but errors");
     app.add_flag("-v,--verbose", options.verbose, "Phases and statistics on standard error")->excludes(quiet);
@@ -37,10 +49,10 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
         ->type_name("FILE");
     app.add_option("-t,--time-limit", options.time_limit, "Wall seconds for everything")
         ->type_name("S")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number);
     app.add_option("-m,--memory-limit", options.memory_limit_mb, "Resident memory in MiB")
         ->type_name("MB")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number);
 }
 
 constexpr const char* kPlanUsage =

@@ -56,6 +56,13 @@ void write_file(const std::string& path, std::string_view text) {
     fail(path, error);
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+    struct stat first {};
+    struct stat second {};
+    return ::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0 &&
+           first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
 PlanFiles::PlanFiles(std::string path) : path_(std::move(path)) {
     if (path_.empty() || path_ == "-") return;
     remove_regular(path_);

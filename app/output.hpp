@@ -20,6 +20,9 @@ void write_standard_output(std::string_view text);
 /// a part. Devices and pipes are written to directly. Throws OutputError.
 void write_file(const std::string& path, std::string_view text);
 
+/// Both names are of one and the same existing file.
+bool same_file(const std::string& a, const std::string& b);
+
 /// The plan files of one run: FILE is always the best plan; where there are several, they are FILE.1, FILE.2,
 /// ... as well.
 class PlanFiles {

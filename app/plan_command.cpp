@@ -124,6 +124,9 @@ Ending plan(Run& run, const PlanOptions& options) {
         if (options.search.empty()) report.alias = options.alias;
     });
     const Task task = run.load();
+    for (const Source& source : task->sources->files)
+        if (!options.plan_file.empty() && same_file(options.plan_file, source.name))
+            throw std::invalid_argument("the plan file would replace '" + source.name + "'");
     PlanSink sink(run, options, task, configured.expression);
     run.set_phase("grounding");
     SessionOptions session_options;

@@ -60,7 +60,8 @@ struct SessionOptions {
 
 class Session {
   public:
-    /// Grounds the task. If the budget runs out, every `plan` says so.
+    /// Grounds the task. If the budget runs out, `ground_task` is null and the next `plan` tries again with
+    /// its own.
     explicit Session(Task task, const SessionOptions& options = {}, const Budget& budget = {});
     ~Session();
     Session(Session&&) noexcept;
@@ -72,12 +73,14 @@ class Session {
                 const Callbacks& callbacks = {});
 
     /// The atoms that hold (complete; closed world; static atoms may be left out and then keep their value).
-    /// Grounds again only if an atom is new to the ground task. Throws std::invalid_argument for unknown ids,
-    /// wrong arity or types, and derived predicates.
+    /// The next `plan` grounds again only if the ground task cannot express the state. Throws
+    /// std::invalid_argument for unknown ids, wrong arity or types, and derived predicates, and then changes
+    /// nothing.
     void set_initial_state(const std::vector<Atom>& atoms);
-    /// A conjunction of literals. Grounds again only if a literal is new to the ground task.
+    /// A conjunction of literals. The next `plan` grounds again only if the ground task cannot express it.
     void set_goal(const std::vector<GoalLiteral>& goal);
 
+    /// The task with the present initial state and goal; valid until they change.
     const LiftedTask& task() const;
     /// The ground task now in use; null if grounding ran out of budget.
     std::shared_ptr<const FiniteDomainTask> ground_task() const;
