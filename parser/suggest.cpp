@@ -56,7 +56,7 @@ Suggestion::Suggestion(std::string_view wrong)
 void Suggestion::consider(std::string_view candidate) {
     if (candidate.empty() || candidate.size() <= limit_ - 1) return;
     const std::size_t distance = edit_distance(wrong_, candidate, limit_);
-    if (distance > limit_ || distance >= std::max(wrong_.size(), candidate.size())) return;
+    if (distance > limit_ || distance * 2 >= std::max(wrong_.size(), candidate.size())) return;
     if (found() && distance == limit_) return;
     best_ = candidate;
     limit_ = distance;

@@ -74,6 +74,7 @@ struct Context {
 
     std::vector<std::vector<TypeId>> either_members;  ///< by type; empty for declared types
     std::map<std::vector<TypeId>, TypeId> either_types;
+    bool types_missing = false;  ///< an unknown type was reported; its users count as `object`
     bool objects_known = false;  ///< from then on every type knows its objects
 
     std::array<std::optional<Location>, static_cast<std::size_t>(Feature::count)> features;

@@ -88,7 +88,7 @@ void check_metric(Context& context, const syntax::Tree& problem) {
 }
 
 void check_static_goals(Context& context, const std::vector<TupleIndex>& initial_atoms) {
-    StaticGoals(context, initial_atoms).check(context.task.goal);
+    if (!context.reporter.has_errors()) StaticGoals(context, initial_atoms).check(context.task.goal);
 }
 
 }  // namespace praxis::check

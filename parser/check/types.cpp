@@ -249,6 +249,7 @@ TypeId resolve_type(Context& context, const syntax::Tree& tree, syntax::Range na
         if (id.valid()) {
             members.push_back(id);
         } else {
+            context.types_missing = true;
             context.report_unknown("type", tree, name, context.task.types);
         }
     }

@@ -202,6 +202,12 @@ struct get_info<praxis::syntax::WordParser<kind, free>> {
     }
 };
 
+template <class Subject, class Action>
+struct get_info<action<Subject, Action>> {
+    using result_type = std::string;
+    std::string operator()(const action<Subject, Action>& parser) const { return what(parser.subject); }
+};
+
 template <>
 struct get_info<praxis::syntax::KeywordParser> {
     using result_type = std::string;
