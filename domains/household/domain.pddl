@@ -1,6 +1,6 @@
 ; A household robot tidies up, does the dishes and sweeps the floors.
 ;
-; What it shows: action costs, quantifiers in conditions and goals, conditional and universal effects, inequality.
+; What it shows: action costs, quantifiers in conditions, effects and goals, conditional and universal effects.
 ;
 ; The robot has a tray for two things. Whoever comes in from outdoors with muddy wheels spoils the floor of every room
 ; on the way until the wheels are wiped on a doormat, so the order of the errands matters.
@@ -23,6 +23,7 @@
     (swept ?r - room)
     (in ?t - thing ?r - room)
     (carried ?t - thing)
+    (tray-full)
     (dirty ?d - dish))
 
   (:functions
@@ -44,19 +45,20 @@
     :precondition (and (robot-in ?r) (doormat ?r) (muddy))
     :effect (and (not (muddy)) (increase (total-cost) 1)))
 
-  ; The tray is full when two different things are on it.
+  ; The tray is full with the second thing: if there is one on it already.
   (:action take
     :parameters (?t - thing ?r - room)
-    :precondition (and
-      (robot-in ?r)
-      (in ?t ?r)
-      (not (exists (?a ?b - thing) (and (not (= ?a ?b)) (carried ?a) (carried ?b)))))
-    :effect (and (not (in ?t ?r)) (carried ?t) (increase (total-cost) 1)))
+    :precondition (and (robot-in ?r) (in ?t ?r) (not (tray-full)))
+    :effect (and
+      (not (in ?t ?r))
+      (carried ?t)
+      (when (exists (?other - thing) (carried ?other)) (tray-full))
+      (increase (total-cost) 1)))
 
   (:action put
     :parameters (?t - thing ?r - room)
     :precondition (and (robot-in ?r) (carried ?t))
-    :effect (and (not (carried ?t)) (in ?t ?r) (increase (total-cost) 1)))
+    :effect (and (not (carried ?t)) (not (tray-full)) (in ?t ?r) (increase (total-cost) 1)))
 
   ; Washes every dish that is at hand, in the room or on the tray.
   (:action wash-up

@@ -19,7 +19,7 @@
     ; the robots
     (robot-at tom dock) (battery tom full) (robot-at fred charger) (battery fred half)
     ; the boxes
-    (box-at letters shelf1) (box-at cement shelf2))
+    (box-at letters shelf2) (box-at cement shelf1))
 
   (:goal
     (and
