@@ -141,8 +141,8 @@ class FileParser {
 
     template <class Parser>
     void run(const Parser& parser) {
-        const auto with_builder = x3::with<BuilderTag>(std::ref(builder_))[parser];
-        x3::phrase_parse(at_, last_, x3::expect[with_builder], gap, x3::skip_flag::dont_post_skip);
+        const auto with_builder = x3::with<BuilderTag>(std::ref(builder_))[x3::expect[parser]];
+        x3::phrase_parse(at_, last_, with_builder, gap, x3::skip_flag::dont_post_skip);
     }
 
     /// False if there was a syntax error, which is then reported and passed over.

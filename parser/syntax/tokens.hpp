@@ -208,6 +208,20 @@ struct get_info<action<Subject, Action>> {
     std::string operator()(const action<Subject, Action>& parser) const { return what(parser.subject); }
 };
 
+template <class Left, class Right>
+struct get_info<sequence<Left, Right>> {
+    using result_type = std::string;
+    std::string operator()(const sequence<Left, Right>& parser) const { return what(parser.left); }
+};
+
+template <class Left, class Right>
+struct get_info<alternative<Left, Right>> {
+    using result_type = std::string;
+    std::string operator()(const alternative<Left, Right>& parser) const {
+        return what(parser.left) + " or " + what(parser.right);
+    }
+};
+
 template <>
 struct get_info<praxis::syntax::KeywordParser> {
     using result_type = std::string;
