@@ -1,19 +1,11 @@
 // The evaluators that search expressions can name.
 #include "search/engines/search_plan.hpp"
 #include "search/evaluators/blind.hpp"
-#include "search/evaluators/goal_count.hpp"
-#if __has_include("search/evaluators/ff.hpp")
 #include "search/evaluators/ff.hpp"
-#endif
-#if __has_include("search/evaluators/hadd.hpp")
+#include "search/evaluators/goal_count.hpp"
 #include "search/evaluators/hadd.hpp"
-#endif
-#if __has_include("search/evaluators/hmax.hpp")
 #include "search/evaluators/hmax.hpp"
-#endif
-#if __has_include("search/evaluators/lmcut.hpp")
 #include "search/evaluators/lmcut.hpp"
-#endif
 
 namespace praxis {
 
@@ -77,26 +69,18 @@ std::vector<Component> evaluator_components() {
         {"supported", "yes", "yes", "yes"}));
     all.push_back(heuristic<GoalCountEvaluator, true>(
         "goalcount", "the number of goal facts that do not hold", {"supported", "yes", "no", "no"}));
-#if __has_include("search/evaluators/hmax.hpp")
     all.push_back(heuristic<HmaxEvaluator>(
         "hmax", "cost of the dearest goal fact under delete relaxation (Bonet and Geffner 1999)",
         {"supported (relaxed)", "yes", "yes", "yes, without axioms"}));
-#endif
-#if __has_include("search/evaluators/hadd.hpp")
     all.push_back(heuristic<AddEvaluator>(
         "add", "sum of the goal facts' costs under delete relaxation (Bonet and Geffner 1999)",
         {"supported (relaxed)", "yes", "no", "no"}));
-#endif
-#if __has_include("search/evaluators/ff.hpp")
     all.push_back(heuristic<FFEvaluator>(
         "ff", "cost of a relaxed plan (Hoffmann and Nebel 2001); its first operators are preferred",
         {"supported (relaxed)", "yes", "no", "no"}));
-#endif
-#if __has_include("search/evaluators/lmcut.hpp")
     all.push_back(heuristic<LMCutEvaluator>("lmcut",
                                             "cost of disjoint landmark cuts (Helmert and Domshlak 2009)",
                                             {"supported (relaxed)", "yes", "yes", "no"}));
-#endif
     all.push_back(arithmetic("g", "cost of the way to the state, as the search counts costs", {},
                              [](const Call&, Workshop&) { return Key::cost_so_far(); }));
     all.push_back(arithmetic(

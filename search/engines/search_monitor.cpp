@@ -10,7 +10,7 @@ namespace praxis {
 namespace {
 
 constexpr auto kReportInterval = std::chrono::milliseconds(250);
-constexpr auto kLookInterval = std::chrono::milliseconds(1);
+constexpr auto kLookInterval = std::chrono::microseconds(1000);
 constexpr std::uint32_t kMaximumInterval = 1 << 14;
 
 }  // namespace

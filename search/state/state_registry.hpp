@@ -42,19 +42,15 @@ class StateRegistry {
         const std::uint32_t* words = candidate();
         const auto [id, added] = set_.insert(
             hash_words(words, words_), pool_.size(),
-            [&](std::uint32_t other) {
-                return std::equal(words, words + words_, pool_[other] + node_words_);
-            },
-            [&](std::uint32_t other) { return hash_words(pool_[other] + node_words_, words_); });
+            [&](std::uint32_t other) { return equal(words, pool_[other] + node_words_); },
+            [&](std::uint32_t other) { return hash_words(pool_[other] + node_words_, words_); },
+            [&](std::uint32_t other) { __builtin_prefetch(pool_[other] + node_words_); });
         if (added) pool_.commit();
         return {StateId(id), added};
     }
 
     /// The candidate is equal to a stored state.
-    bool candidate_equals(StateId id) {
-        const std::uint32_t* other = words(id);
-        return std::equal(other, other + words_, candidate());
-    }
+    bool candidate_equals(StateId id) { return equal(words(id), candidate()); }
     /// Bytes a stored state takes, room that is allocated ahead in the pool left out.
     double bytes_per_state() const {
         return static_cast<double>(pool_.stride() * sizeof(std::uint32_t)) +
@@ -64,6 +60,14 @@ class StateRegistry {
     std::size_t memory() const { return pool_.memory() + set_.memory(); }
 
   private:
+    // Packed states are short: a loop beats a call of memcmp.
+    bool equal(const std::uint32_t* a, const std::uint32_t* b) const {
+        for (std::size_t i = 0; i < words_; ++i) {
+            if (a[i] != b[i]) return false;
+        }
+        return true;
+    }
+
     std::size_t words_;
     std::size_t node_words_;
     RecordPool pool_;

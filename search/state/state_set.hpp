@@ -27,10 +27,11 @@ class StateSet {
     }
 
     /// The id with hash `hash` for which `equal(id)` holds and false; or else `fresh`, added, and true.
-    /// `hash_of(id)` is the hash that an id was added with. The set is unchanged if it throws.
-    template <class Equal, class HashOf>
+    /// `hash_of(id)` is the hash that an id was added with; `fetch(id)` may bring what it needs into the
+    /// cache. The set is unchanged if it throws.
+    template <class Equal, class HashOf, class Fetch>
     std::pair<std::uint32_t, bool> insert(std::uint64_t hash, std::uint32_t fresh, const Equal& equal,
-                                          const HashOf& hash_of) {
+                                          const HashOf& hash_of, const Fetch& fetch) {
         Shard& shard = shards_[hash >> (64 - kShardBits)];
         const std::uint8_t tag = tag_of(hash);
         for (std::size_t i = shard.place(hash);; i = shard.after(i)) {
@@ -42,7 +43,7 @@ class StateSet {
             if (bucket.count < kBucketSize) {
                 if (shard.size * kMaximumLoad.second >=
                     shard.buckets.size() * kBucketSize * kMaximumLoad.first) {
-                    grow(shard, static_cast<std::size_t>(&shard - shards_.data()), hash_of);
+                    grow(shard, static_cast<std::size_t>(&shard - shards_.data()), hash_of, fetch);
                     shard.add(hash, fresh);
                 } else {
                     bucket.add(fresh, tag);
@@ -122,11 +123,16 @@ class StateSet {
         return size < 8 ? size + 1 : size == 8 ? 9 + shard % 8 : size + size / 2;
     }
 
-    template <class HashOf>
-    static void grow(Shard& shard, std::size_t number, const HashOf& hash_of) {
+    template <class HashOf, class Fetch>
+    static void grow(Shard& shard, std::size_t number, const HashOf& hash_of, const Fetch& fetch) {
         Shard larger;
         larger.buckets.resize(next_size(shard.buckets.size(), number));
-        for (const Bucket& bucket : shard.buckets) {
+        for (std::size_t place = 0; place < shard.buckets.size(); ++place) {
+            if (place + 2 < shard.buckets.size()) {
+                const Bucket& ahead = shard.buckets[place + 2];
+                for (std::uint32_t i = 0; i < ahead.count; ++i) fetch(ahead.ids[i]);
+            }
+            const Bucket& bucket = shard.buckets[place];
             for (std::uint32_t i = 0; i < bucket.count; ++i)
                 larger.add(hash_of(bucket.ids[i]), bucket.ids[i]);
         }
