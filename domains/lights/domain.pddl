@@ -13,6 +13,7 @@
 
   (:action press
     :parameters (?l - lamp)
+    :precondition ()
     :effect (forall (?n - lamp)
       (and
         (when (and (near ?l ?n) (lit ?n)) (not (lit ?n)))

@@ -15,24 +15,24 @@
     (valve ?p - pipe)
     (shut ?p - pipe)
     (burst ?p - pipe)
-    (end ?p - pipe ?n - node)      ; derived
+    (touches ?p - pipe ?n - node)  ; derived
     (supplied ?n - node)           ; derived
     (spilling ?p - pipe))          ; derived
 
-  (:derived (end ?p - pipe ?n - node)
+  (:derived (touches ?p - pipe ?n - node)
     (exists (?m - node) (or (joins ?p ?n ?m) (joins ?p ?m ?n))))
 
-  (:derived (supplied ?n - reservoir) (and))
-
   (:derived (supplied ?n - node)
-    (exists (?p - pipe ?m - node)
-      (and (end ?p ?n) (end ?p ?m) (not (= ?n ?m))
-           (not (shut ?p)) (not (burst ?p))
-           (supplied ?m))))
+    (or
+      (exists (?r - reservoir) (= ?n ?r))
+      (exists (?p - pipe ?m - node)
+        (and (touches ?p ?n) (touches ?p ?m) (not (= ?n ?m))
+             (not (shut ?p)) (not (burst ?p))
+             (supplied ?m)))))
 
   (:derived (spilling ?p - pipe)
     (and (burst ?p) (not (shut ?p))
-         (exists (?n - node) (and (end ?p ?n) (supplied ?n)))))
+         (exists (?n - node) (and (touches ?p ?n) (supplied ?n)))))
 
   (:action shut-valve
     :parameters (?p - pipe)
@@ -44,7 +44,7 @@
     :parameters (?p - pipe)
     :precondition (and
       (shut ?p)
-      (imply (burst ?p) (not (exists (?n - node) (and (end ?p ?n) (supplied ?n))))))
+      (imply (burst ?p) (not (exists (?n - node) (and (touches ?p ?n) (supplied ?n))))))
     :effect (not (shut ?p)))
 
   ; Needs no water at either end; nothing anywhere else may spill meanwhile, for there is only one crew.
@@ -52,6 +52,6 @@
     :parameters (?p - pipe)
     :precondition (and
       (burst ?p)
-      (forall (?n - node) (imply (end ?p ?n) (not (supplied ?n))))
+      (forall (?n - node) (imply (touches ?p ?n) (not (supplied ?n))))
       (forall (?q - pipe) (not (spilling ?q))))
     :effect (not (burst ?p))))
