@@ -167,7 +167,6 @@ class Search {
         }
         if (adds_.empty()) return true;
         collect_required(task_.preconditions[o], required_);
-        if (contradictory(required_)) return true;
         for (std::size_t a = 0; a < adds_.size(); ++a) {
             const Covered& add = adds_[a];
             for (std::size_t b = 0; b < a; ++b)
@@ -188,10 +187,17 @@ class Search {
                 if (const auto covered = cover(atom_of(literal), 0)) result.push_back(*covered);
     }
 
-    bool contradictory(const std::vector<Covered>& required) const {
-        for (std::size_t i = 0; i < required.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (same_weight(required[i], required[j])) return true;
+    /// Two different atoms of the add's weight: what requires both never happens where the weight is at most
+    /// one.
+    static bool contradictory(const std::vector<Covered>& required, const std::vector<Covered>& more,
+                              const Covered& add) {
+        const Covered* met = nullptr;
+        for (const auto* list : {&required, &more})
+            for (const Covered& atom : *list) {
+                if (!same_weight(atom, add)) continue;
+                if (met != nullptr && met->atom != atom.atom) return true;
+                met = &atom;
+            }
         return false;
     }
 
@@ -204,10 +210,7 @@ class Search {
         collect_required(task_.conditions[a.condition], extra_);
         std::vector<Covered> others;
         collect_required(task_.conditions[b.condition], others);
-        for (const Covered& x : extra_)
-            for (const Covered& y : others)
-                if (x.atom != y.atom && same_weight(x, y)) return true;
-        return false;
+        return contradictory(extra_, others, a);
     }
 
     /// The condition contains an atom of the add's weight, which goes away (or is the added atom itself).
@@ -220,13 +223,10 @@ class Search {
             });
         };
         if (std::any_of(required_.begin(), required_.end(), goes)) return true;
-        if (add.condition == 0) return false;
-        collect_required(task_.conditions[add.condition], extra_);
+        extra_.clear();
+        if (add.condition != 0) collect_required(task_.conditions[add.condition], extra_);
         if (std::any_of(extra_.begin(), extra_.end(), goes)) return true;
-        for (const Covered& x : extra_)
-            for (const Covered& y : required_)
-                if (x.atom != y.atom && same_weight(x, y)) return true;  // the add never happens
-        return contradictory(extra_);
+        return contradictory(required_, extra_, add);
     }
 
     /// An effect with condition `condition` happens whenever the operator's effect with condition `given`
