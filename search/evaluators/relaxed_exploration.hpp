@@ -27,7 +27,8 @@ class RelaxedExploration {
           missing_(*task_),
           counters_(missing_.counts()),
           unreached_(task_->proposition_count, Reached{kDeadEnd, RelaxedTask::kNone}),
-          reached_(unreached_) {
+          reached_(unreached_),
+          complete_(task_->rule_count() + 1) {
         unreached_[RelaxedTask::kTrue].cost = 0;
     }
 
@@ -56,22 +57,40 @@ class RelaxedExploration {
         }
     }
 
-    /// What a rule's effects cost once its last precondition is reached, at cost `last`.
-    std::int32_t effect_cost(const RelaxedTask::Rule& rule, std::int32_t last) const {
-        std::int64_t cost = rule.cost;
-        if constexpr (combine == Combine::sum) {
-            for (const std::uint32_t precondition : rule.preconditions) cost += reached_[precondition].cost;
-        } else {
-            cost += last;
+    /// Whether no effect can become cheaper than it is, even if the precondition just reached, at cost
+    /// `last`, were the only one that costs anything. Most rules end here.
+    bool useless(const RelaxedTask::Rule& rule, std::int32_t last) const {
+        const std::int64_t least = std::int64_t{last} + rule.cost;
+        for (const std::uint32_t effect : rule.effects) {
+            if (reached_[effect].cost > least) return false;
         }
-        return static_cast<std::int32_t>(std::min<std::int64_t>(cost, kMaxCost));
+        return true;
     }
+
+    /// What a rule's effects cost once its last precondition is reached, at cost `last`. Saturates at each
+    /// step, so that the compiler leaves the short loop alone.
+    std::int32_t effect_cost(const RelaxedTask::Rule& rule, std::int32_t last) const {
+        std::uint32_t cost = std::min(static_cast<std::uint32_t>(rule.cost), kLimit);
+        if constexpr (combine == Combine::sum) {
+            for (const std::uint32_t precondition : rule.preconditions) {
+                cost = std::min(cost + static_cast<std::uint32_t>(reached_[precondition].cost), kLimit);
+            }
+        } else {
+            cost = std::min(cost + static_cast<std::uint32_t>(last), kLimit);
+        }
+        return static_cast<std::int32_t>(cost);
+    }
+
+    static constexpr std::uint32_t kLimit = kMaxCost;
+    static constexpr std::size_t kAhead = 6;  ///< rules
 
     std::shared_ptr<const RelaxedTask> task_;
     MissingPreconditions missing_;
     std::vector<std::uint8_t> counters_;  ///< by rule
     std::vector<Reached> unreached_;      ///< what `reached_` is reset to
     std::vector<Reached> reached_;        ///< by proposition
+    std::vector<std::uint32_t>
+        complete_;  ///< rules that miss nothing since the proposition in hand was reached
     CostQueue queue_;
 };
 
@@ -92,9 +111,16 @@ Estimate RelaxedExploration<combine>::run(StateView state) {
     CostQueue::Entry entry;
     while (queue_.pop(entry)) {
         if (entry.key != reached_[entry.item].cost) continue;
+        std::size_t complete = 0;
         for (const std::uint32_t index : task_->precondition_of(entry.item)) {
-            if (--counters_[index] != 0) continue;
+            complete_[complete] = index;
+            complete += --counters_[index] == 0;
+        }
+        for (std::size_t i = 0; i < complete; ++i) {
+            task_->prefetch(complete_[std::min(i + kAhead, complete - 1)]);
+            const std::uint32_t index = complete_[i];
             const RelaxedTask::Rule rule = task_->rule(index);
+            if (useless(rule, entry.key)) continue;
             const std::int32_t cost = effect_cost(rule, entry.key);
             if (index == task_->goal_rule) {
                 reached_[task_->goal] = {cost, index};

@@ -44,13 +44,13 @@ RelaxedTask::RelaxedTask(const FiniteDomainTask& task, std::span<const Fact> goa
         if (rules.effects[i].front() == rules.goal) goal_rule = rule_count();
         record_begin.push_back(static_cast<std::uint32_t>(records.size()));
         records.push_back(static_cast<std::uint32_t>(costs[rules.operators[i]]));
-        records.push_back(static_cast<std::uint32_t>(precondition_count));
         records.push_back(left);
-        if (preconditions.empty()) records.push_back(kTrue);
-        for (const std::uint32_t fact : preconditions) records.push_back(proposition_of[fact]);
+        records.push_back(static_cast<std::uint32_t>(precondition_count));
         for (std::uint32_t j = first; j < first + count; ++j) {
             if (marks[j]) records.push_back(proposition_of[effects[j]]);
         }
+        if (preconditions.empty()) records.push_back(kTrue);
+        for (const std::uint32_t fact : preconditions) records.push_back(proposition_of[fact]);
         precondition_counts.push_back(static_cast<std::uint8_t>(precondition_count));
         operator_of.push_back(rules.operators[i]);
         condition_of.push_back(rules.conditions[i]);

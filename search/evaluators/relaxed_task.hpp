@@ -54,15 +54,23 @@ struct RelaxedTask {
     };
     Rule rule(std::uint32_t index) const {
         const std::uint32_t* const record = records.data() + record_begin[index];
-        const std::uint32_t* const preconditions = record + 3;
-        return {static_cast<std::int32_t>(record[0]),
-                {preconditions, record[1]},
-                {preconditions + record[1], record[2]}};
+        const std::uint32_t* const effects = record + 3;
+        return {static_cast<std::int32_t>(record[0]), {effects + record[1], record[2]}, {effects, record[1]}};
+    }
+    /// Starts to bring a rule's record from memory.
+    void prefetch(std::uint32_t index) const {
+#if defined(__GNUC__)
+        __builtin_prefetch(records.data() + record_begin[index]);
+#else
+        (void)index;
+#endif
     }
     std::span<const std::uint32_t> precondition_of(std::uint32_t proposition) const {
         return {users.data() + users_begin[proposition], users.data() + users_begin[proposition + 1]};
     }
-    std::uint32_t rule_count() const { return static_cast<std::uint32_t>(record_begin.size()); }
+    std::uint32_t rule_count() const {
+        return static_cast<std::uint32_t>(record_begin.size());
+    }
 
     std::uint32_t proposition_count = 0;
     std::vector<std::uint32_t> first_fact;        ///< as in the task

@@ -186,6 +186,23 @@ TEST(Evaluators, DefaultValuesOfDerivedVariablesAreEarned) {
     EXPECT_EQ(lmcut.evaluate(state), 5);
 }
 
+TEST(Evaluators, DefaultValuesOfVariablesThatDependOnEachOtherAreFree) {
+    // Derived variables 1 and 2 hold while 0 is unset, or while the other does; setting 0 ends both.
+    FiniteDomainTask task = binary_task(3, {{{}, {{{}, {0, 1}}}, 2}}, {{1, 0}, {2, 0}});
+    task.axiom_layers[1] = task.axiom_layers[2] = 0;
+    for (std::int32_t v = 1; v < 3; ++v) {
+        task.axioms.push_back({{v, 1}});
+        task.axiom_bodies.append(std::vector<Fact>{{0, 0}});
+        task.axioms.push_back({{v, 1}});
+        task.axiom_bodies.append(std::vector<Fact>{{3 - v, 1}});
+    }
+    const std::vector<std::int32_t> state{0, 1, 1};
+    HmaxEvaluator hmax(task, task.goal, CostType::normal);
+    EXPECT_EQ(hmax.evaluate(state), 0);
+    FFEvaluator ff(task, task.goal, CostType::normal);
+    EXPECT_NE(ff.evaluate(state), kDeadEnd);
+}
+
 TEST(RelaxedTask, DropsWhatCannotMatterOrIsDominated) {
     using Dominance = RelaxedTask::Dominance;
     // Operator 0 reaches 1; operator 1 does so with a further precondition; operator 2 reaches what nobody
