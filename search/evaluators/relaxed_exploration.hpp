@@ -60,7 +60,7 @@ class RelaxedExploration {
     /// Whether no effect can become cheaper than it is, even if the precondition just reached, at cost
     /// `last`, were the only one that costs anything. Most rules end here.
     bool useless(const RelaxedTask::Rule& rule, std::int32_t last) const {
-        const std::int64_t least = std::int64_t{last} + rule.cost;
+        const std::int64_t least = std::min(std::int64_t{last} + rule.cost, std::int64_t{kMaxCost});
         for (const std::uint32_t effect : rule.effects) {
             if (reached_[effect].cost > least) return false;
         }
