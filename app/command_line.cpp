@@ -135,7 +135,9 @@ Request parse_plan_command(std::vector<std::string> arguments) {
     app.add_option("--threads", options.threads, "Threads (default: 1)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
-    app.add_option("--seed", options.seed, "Seed of whatever is random (default: 0)")->type_name("N");
+    app.add_option("--seed", options.seed, "Seed of whatever is random (default: 0)")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
     bool no_check = false;
     app.add_flag("--no-check", no_check, "Do not validate plans before they are given out");
     if (auto done = parse(app, std::move(arguments), "plan")) return *done;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The whole process on a tiny task: median wall and processor milliseconds, peak memory.
+"""The whole process on a tiny task: median wall and processor milliseconds.
 
     bench/startup.py DOMAIN PROBLEM [--plan build/bin/plan] [--runs 200] [--peer 'COMMAND {domain} {problem}']
 
@@ -13,7 +13,7 @@ import time
 
 
 def run(command):
-    """(wall milliseconds, processor milliseconds, peak KiB) of one process; fails if it does."""
+    """(wall milliseconds, processor milliseconds) of one process; fails if it does."""
     devnull = os.open(os.devnull, os.O_RDWR)
     actions = [(os.POSIX_SPAWN_DUP2, devnull, fd) for fd in (0, 1, 2)]
     start = time.perf_counter()
@@ -23,7 +23,7 @@ def run(command):
     os.close(devnull)
     if status != 0:
         raise SystemExit(f"{' '.join(command)} failed: {os.waitstatus_to_exitcode(status)}")
-    return wall * 1e3, (usage.ru_utime + usage.ru_stime) * 1e3, usage.ru_maxrss
+    return wall * 1e3, (usage.ru_utime + usage.ru_stime) * 1e3
 
 
 def main():
@@ -42,10 +42,9 @@ def main():
         for name, command in commands.items():
             samples[name].append(run(command))
     for name, rows in samples.items():
-        wall, processor, memory = zip(*rows)
+        wall, processor = zip(*rows)
         print(f"{name}: wall {statistics.median(wall):.2f} ms (fastest {min(wall):.2f}), "
-              f"processor {statistics.median(processor):.2f} ms, peak {statistics.median(memory) / 1024:.1f} MiB, "
-              f"{len(rows)} runs")
+              f"processor {statistics.median(processor):.2f} ms (least {min(processor):.2f}), {len(rows)} runs")
 
 
 main()

@@ -16,10 +16,10 @@ struct Outcome {
 };
 
 struct Circumstances {
-    std::string input;                            ///< standard input
-    std::vector<std::pair<double, int>> signals;  ///< after so many seconds, this signal
-    std::function<void()> prepare;                ///< called in the child before the command starts
-    bool close_output = false;                    ///< nobody reads standard output
+    std::string input = {};                            ///< standard input
+    std::vector<std::pair<double, int>> signals = {};  ///< after so many seconds, this signal
+    std::function<void()> prepare = {};                ///< called in the child before the command starts
+    bool close_output = false;                         ///< nobody reads standard output
 };
 
 /// Runs build/bin/plan with the arguments; fails the test if it takes more than a minute.
