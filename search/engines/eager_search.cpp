@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "search/engines/search_context.hpp"
 
 namespace praxis {
@@ -39,30 +41,41 @@ class EagerSearch {
   private:
     bool expand(StateId state) {
         ++statistics_.expanded;
+        const std::int64_t real_cost = space_.real_cost(state);
         space_.generator().applicable(values_.data(), operators_);
+        if (space_.bounded()) {
+            std::erase_if(operators_, [&](OperatorId op) { return space_.exceeds_bound(real_cost, op); });
+        }
         if (evaluator_.has_preferred()) mark_preferred(true);
         const std::int64_t g = space_.g(state);
-        const std::int64_t real_cost = space_.real_cost(state);
-        for (OperatorId op : operators_) {
-            if (context_.must_stop()) return false;
-            if (space_.exceeds_bound(real_cost, op)) continue;
-            ++statistics_.generated;
-            const bool preferred = evaluator_.has_preferred() && preferred_[op.index()];
-            const auto [child, is_new] = space_.successor(state, op, values_.data());
-            const std::int64_t child_g = g + space_.cost(op);
-            const std::int64_t child_cost = real_cost + space_.task().costs[op.index()];
-            if (is_new) {
-                space_.layout().initialize(space_.node(child), state, child_g, child_cost);
-                space_.read_successor(values_, op, child_values_);
-                open_new(child, preferred);
-            } else if (child_g < space_.g(child) && space_.status(child) != NodeStatus::dead_end) {
-                space_.layout().improve(space_.node(child), state, child_g, child_cost);
-                if (evaluator_.restores_from_values()) space_.read_successor(values_, op, child_values_);
-                open_again(child, preferred);
+        const std::span<const OperatorId> all = operators_;
+        for (std::size_t begin = 0; begin < all.size(); begin += SearchSpace::kBatch) {
+            const auto batch = all.subspan(begin, std::min(SearchSpace::kBatch, all.size() - begin));
+            space_.prepare_successors(state, batch, values_.data());
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                if (context_.must_stop()) return false;
+                ++statistics_.generated;
+                reach(state, batch[i], space_.successor(i), g + space_.cost(batch[i]),
+                      real_cost + space_.task().costs[batch[i].index()]);
             }
         }
         if (evaluator_.has_preferred()) mark_preferred(false);
         return true;
+    }
+
+    void reach(StateId parent, OperatorId op, std::pair<StateId, bool> found, std::int64_t g,
+               std::int64_t real_cost) {
+        const auto [state, is_new] = found;
+        const bool preferred = evaluator_.has_preferred() && preferred_[op.index()];
+        if (is_new) {
+            space_.layout().initialize(space_.node(state), parent, g, real_cost);
+            space_.read_successor(values_, op, child_values_);
+            open_new(state, preferred);
+        } else if (g < space_.g(state) && space_.status(state) != NodeStatus::dead_end) {
+            space_.layout().improve(space_.node(state), parent, g, real_cost);
+            if (evaluator_.restores_from_values()) space_.read_successor(values_, op, child_values_);
+            open_again(state, preferred);
+        }
     }
 
     // `child_values_` are those of the state.

@@ -25,7 +25,8 @@ SearchSpace::SearchSpace(const PreparedTask::Parts& parts, const Query& query, c
       bounded_(plan.bound != kInfinity),
       bound_(plan.bound),
       layout_(make_layout(*parts.task, plan, estimates)),
-      registry_(parts.packer, layout_.word_count()) {
+      registry_(parts.packer, layout_.word_count()),
+      batch_(kBatch * registry_.word_count()) {
     const auto& costs = task().costs;
     if (plan.cost_type == CostType::one) {
         cost_factor_ = 0;
@@ -40,6 +41,20 @@ StateId SearchSpace::insert_initial() {
     const StateId state = registry_.intern().first;
     layout_.initialize(node(state), StateId(), 0, 0);
     return state;
+}
+
+void SearchSpace::prepare_successors(StateId state, std::span<const OperatorId> operators,
+                                     const std::int32_t* values) {
+    const std::size_t size = registry_.word_count();
+    const std::uint32_t* before = registry_.words(state);
+    for (std::size_t i = 0; i < operators.size(); ++i) {
+        std::uint32_t* words = batch_.data() + i * size;
+        std::copy_n(before, size, words);
+        parts_->transitions.apply(operators[i], values, words);
+        batch_hashes_[i] = registry_.hash(words);
+        registry_.prefetch_place(batch_hashes_[i]);
+    }
+    for (std::size_t i = 0; i < operators.size(); ++i) registry_.prefetch_state(batch_hashes_[i]);
 }
 
 bool SearchSpace::goal_holds(const std::vector<std::int32_t>& values) const {

@@ -1,6 +1,8 @@
 // The states a search has met, how they came about and what they cost.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -30,6 +32,14 @@ class SearchSpace {
     std::pair<StateId, bool> successor(StateId state, OperatorId op, const std::int32_t* values) {
         parts_->transitions.apply(op, values, registry_.candidate_from(state));
         return registry_.intern();
+    }
+    /// Makes the states after up to kBatch operators and brings what `successor(i)` will look at into the
+    /// cache: misses of several look-ups overlap.
+    static constexpr std::size_t kBatch = 16;
+    void prepare_successors(StateId state, std::span<const OperatorId> operators, const std::int32_t* values);
+    /// Stores the state after the i-th of them as `successor` does.
+    std::pair<StateId, bool> successor(std::size_t i) {
+        return registry_.intern(batch_.data() + i * registry_.word_count(), batch_hashes_[i]);
     }
     bool needs_values(OperatorId op) const { return parts_->transitions.conditional(op); }
     /// The complete values of a stored state.
@@ -82,6 +92,8 @@ class SearchSpace {
     NodeLayout layout_;
     StateRegistry registry_;
     AxiomEvaluator::Scratch scratch_;
+    std::vector<std::uint32_t> batch_;
+    std::array<std::uint64_t, kBatch> batch_hashes_{};
 };
 
 }  // namespace praxis

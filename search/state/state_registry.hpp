@@ -38,15 +38,29 @@ class StateRegistry {
     }
     /// Stores the candidate unless an equal state is there; its id and whether it is new. The node words of a
     /// new state are unspecified.
-    std::pair<StateId, bool> intern() {
-        const std::uint32_t* words = candidate();
+    std::pair<StateId, bool> intern() { return intern(candidate(), hash(candidate())); }
+    /// The same for a packed state elsewhere and its hash.
+    std::pair<StateId, bool> intern(const std::uint32_t* words, std::uint64_t hash_value) {
         const auto [id, added] = set_.insert(
-            hash_words(words, words_), pool_.size(),
+            hash_value, pool_.size(),
             [&](std::uint32_t other) { return equal(words, pool_[other] + node_words_); },
-            [&](std::uint32_t other) { return hash_words(pool_[other] + node_words_, words_); },
-            [&](std::uint32_t other) { __builtin_prefetch(pool_[other] + node_words_); });
-        if (added) pool_.commit();
+            [&](std::uint32_t other) { return hash(pool_[other] + node_words_); },
+            [&](std::uint32_t other) { __builtin_prefetch(pool_[other]); });
+        if (added) {
+            if (words != candidate()) std::copy_n(words, words_, candidate());
+            pool_.commit();
+        }
         return {StateId(id), added};
+    }
+
+    std::size_t word_count() const { return words_; }
+    std::uint64_t hash(const std::uint32_t* words) const { return hash_words(words, words_); }
+    /// Brings the part of the set where a hash belongs into the cache.
+    void prefetch_place(std::uint64_t hash_value) const { set_.prefetch(hash_value); }
+    /// Then, a little later: brings the state that may be equal into the cache.
+    void prefetch_state(std::uint64_t hash_value) const {
+        const std::uint32_t id = set_.likely(hash_value);
+        if (id != StateSet::kNone) __builtin_prefetch(pool_[id]);
     }
 
     /// The candidate is equal to a stored state.

@@ -60,6 +60,15 @@ class StateSet {
         __builtin_prefetch(&shard.buckets[shard.place(hash)]);
     }
 
+    /// The first id in the bucket of `hash` that may have that hash; kNone if there is none. Only a hint.
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    std::uint32_t likely(std::uint64_t hash) const {
+        const Shard& shard = shards_[hash >> (64 - kShardBits)];
+        const Bucket& bucket = shard.buckets[shard.place(hash)];
+        const std::uint32_t hits = bucket.hits(tag_of(hash));
+        return hits == 0 ? kNone : bucket.ids[static_cast<std::size_t>(__builtin_ctz(hits))];
+    }
+
     /// Bytes on the heap.
     std::size_t memory() const {
         std::size_t bytes = 0;
