@@ -47,7 +47,7 @@ install_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
 
-configure_and_build() {
+configure() {
     local log
     log=$(mktemp)
     if ! cmake --preset release "$@" >"$log" 2>&1; then
@@ -64,10 +64,10 @@ install_packages "${packages[@]}"
 # The progress of the build is for people; a result on standard output stays clean.
 if [ $mode = plan ]; then
     # A build folder that has tests keeps them; a new one is set up for the command alone.
-    if [ ! -f build/CMakeCache.txt ]; then configure_and_build -DPRAXIS_BUILD_TESTS=OFF; else configure_and_build; fi
+    if [ ! -f build/CMakeCache.txt ]; then configure -DPRAXIS_BUILD_TESTS=OFF; else configure; fi
     cmake --build build --target plan >&2
 else
-    configure_and_build -DPRAXIS_BUILD_TESTS=ON
+    configure -DPRAXIS_BUILD_TESTS=ON
     cmake --build build >&2
     ctest --test-dir build --output-on-failure --parallel "$(nproc)" </dev/null
 fi
