@@ -108,22 +108,27 @@ Estimate RelaxedExploration<combine>::run(StateView state) {
         fire(index, rule, std::min(rule.cost, kMaxCost));
     });
     std::memcpy(counters_.data(), missing_.counts().data(), counters_.size());
+    // Bytes may alias anything: without names of their own, every pointer would be loaded again for each
+    // rule.
+    const RelaxedTask& task = *task_;
+    std::uint8_t* const counters = counters_.data();
+    std::uint32_t* const complete_rules = complete_.data();
     CostQueue::Entry entry;
     while (queue_.pop(entry)) {
         if (entry.key != reached_[entry.item].cost) continue;
         std::size_t complete = 0;
-        for (const std::uint32_t index : task_->precondition_of(entry.item)) {
-            complete_[complete] = index;
-            complete += --counters_[index] == 0;
+        for (const std::uint32_t index : task.precondition_of(entry.item)) {
+            complete_rules[complete] = index;
+            complete += --counters[index] == 0;
         }
         for (std::size_t i = 0; i < complete; ++i) {
-            task_->prefetch(complete_[std::min(i + kAhead, complete - 1)]);
-            const std::uint32_t index = complete_[i];
-            const RelaxedTask::Rule rule = task_->rule(index);
+            task.prefetch(complete_rules[std::min(i + kAhead, complete - 1)]);
+            const std::uint32_t index = complete_rules[i];
+            const RelaxedTask::Rule rule = task.rule(index);
             if (useless(rule, entry.key)) continue;
             const std::int32_t cost = effect_cost(rule, entry.key);
-            if (index == task_->goal_rule) {
-                reached_[task_->goal] = {cost, index};
+            if (index == task.goal_rule) {
+                reached_[task.goal] = {cost, index};
                 return cost;
             }
             fire(index, rule, cost);
