@@ -52,6 +52,60 @@ std::vector<Condition> normalise_all(const std::vector<Formula>& formulas, bool 
     return result;
 }
 
+/// For exists: conjunctions whose disjunction is the condition; for forall: the dual. The condition itself if
+/// there would be too many.
+std::vector<Condition> multiplied_out(Condition::Kind kind, const Condition& condition) {
+    using Kind = Condition::Kind;
+    constexpr std::size_t kMost = 8;
+    const Kind outer = kind == Kind::exists ? Kind::disjunction : Kind::conjunction;
+    const Kind inner = kind == Kind::exists ? Kind::conjunction : Kind::disjunction;
+    std::vector<Condition> result;
+    if (condition.kind == outer) {
+        for (const Condition& child : condition.children)
+            for (Condition& part : multiplied_out(kind, child)) result.push_back(std::move(part));
+    } else if (condition.kind == inner) {
+        result.push_back(constant(inner == Kind::conjunction));
+        for (const Condition& child : condition.children) {
+            const std::vector<Condition> parts = multiplied_out(kind, child);
+            if (result.size() * parts.size() > kMost) return {condition};
+            std::vector<Condition> next;
+            for (const Condition& left : result)
+                for (const Condition& right : parts)
+                    next.push_back(inner == Kind::conjunction ? conjunction({left, right})
+                                                              : disjunction({left, right}));
+            result = std::move(next);
+        }
+    } else {
+        return {condition};
+    }
+    return result;
+}
+
+/// `exists` splits over `or`, `forall` over `and`. So that each part can be joined by its own atoms, a child
+/// that mixes both is first multiplied out while that stays small: exists z (a and (b or c)) is looked up as
+/// two joins.
+Condition quantify(Condition::Kind kind, const std::vector<std::uint32_t>& variables, Condition child) {
+    using Kind = Condition::Kind;
+    if (child.kind == Kind::truth || child.kind == Kind::falsity) {
+        // Over an empty type the quantifier decides alone, which is known only later.
+    } else if (child.kind == kind) {
+        std::vector<std::uint32_t> all = variables;
+        all.insert(all.end(), child.variables.begin(), child.variables.end());
+        Condition inner = std::move(child.children.front());
+        child = std::move(inner);
+        return quantify(kind, all, std::move(child));
+    } else if (std::vector<Condition> parts = multiplied_out(kind, child); parts.size() > 1) {
+        std::vector<Condition> quantified;
+        for (Condition& part : parts) quantified.push_back(quantify(kind, variables, std::move(part)));
+        return kind == Kind::exists ? disjunction(std::move(quantified)) : conjunction(std::move(quantified));
+    }
+    Condition result;
+    result.kind = kind;
+    result.variables = variables;
+    result.children.push_back(std::move(child));
+    return result;
+}
+
 void collect_free(const Condition& condition, std::vector<std::uint32_t>& bound,
                   std::vector<std::uint32_t>& free) {
     for (Term term : condition.terms)

@@ -14,6 +14,7 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostCandidates = 100'000;
 constexpr std::size_t kMostSteps = 2'000'000'000;
 constexpr std::size_t kStepsPerCandidate = 200;
+constexpr std::size_t kMostRejecters = 64;
 
 /// One predicate of a candidate: parameter i stands in column columns[i].
 struct Part {
@@ -142,6 +143,10 @@ class Search {
         current_ = &candidate;
         for (std::uint32_t i = 0; i < candidate.size(); ++i) part_of_[candidate[i].predicate] = i;
         bool result = true;
+        for (std::size_t i = 0; i < rejecters_.size() && result; ++i) {
+            result = balanced(rejecters_[i], extensions);
+            if (!result) std::swap(rejecters_[i], rejecters_[i / 2]);
+        }
         for (std::size_t i = 0; i < candidate.size() && result; ++i) {
             const std::uint32_t predicate = candidate[i].predicate;
             for (std::uint32_t a = adders_begin_[predicate]; a < adders_begin_[predicate + 1] && result;
@@ -151,10 +156,19 @@ class Search {
                     break;
                 }
                 result = balanced(adders_[a], extensions);
+                if (!result) remember(adders_[a]);
             }
         }
         for (const Part& part : candidate) part_of_[part.predicate] = kNone;
         return result;
+    }
+
+    /// What rejects one candidate often rejects the next, so it is looked at first.
+    void remember(std::uint32_t o) {
+        if (rejecters_.size() < kMostRejecters)
+            rejecters_.push_back(o);
+        else
+            rejecters_[kMostRejecters / 2 + next_rejecter_++ % (kMostRejecters / 2)] = o;
     }
 
     bool balanced(std::uint32_t o, std::vector<Candidate>& extensions) {
@@ -321,6 +335,8 @@ class Search {
     std::vector<std::uint32_t> predicate_of_;  ///< by atom
     std::vector<std::uint32_t> adders_begin_;  ///< by predicate
     std::vector<std::uint32_t> adders_;        ///< operators that add an atom of the predicate
+    std::vector<std::uint32_t> rejecters_;      ///< operators that were not balanced, useful ones first
+    std::size_t next_rejecter_ = 0;
     std::set<Candidate> seen_;
     std::size_t steps_ = 0;
     MutexGroups result_;
