@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -53,7 +54,7 @@ Source read(const std::string& file_name) {
     return {file_name, read_all(file.get(), file_name)};
 }
 
-/// The start of a word such as "domain" that replaces one such as "problem" in a name.
+/// The text with the first `from` replaced; empty if there is none.
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
     const std::size_t at = text.find(from);
     if (at == std::string::npos) return {};
@@ -105,7 +106,7 @@ LoadResult parse_task(Source domain, Source problem) {
         syntax::parse(sources->files[1], 1, syntax::FileKind::problem, symbols, reporter);
     auto task = std::make_shared<LiftedTask>();
     if (!domain_tree.broken && !problem_tree.broken) {
-        *task = check::check(domain_tree, problem_tree, symbols, *sources, reporter);
+        *task = check::check(domain_tree, problem_tree, symbols, reporter);
     }
     task->sources = sources;
     LoadResult result;

@@ -20,8 +20,8 @@ class Reporter {
     /// `construct` is what is not supported: "durative actions", say.
     void unsupported(Location where, const std::string& construct, std::string hint = {});
 
-    /// False where so many errors are known that another suggestion is not worth its time.
-    bool wants_hints() const { return errors_ < kShown * 3; }
+    /// False where so much is wrong already that another suggestion is not worth its time.
+    bool wants_hints() const { return errors_ + warnings_ < kShown * 3; }
     bool has_errors() const { return errors_ > 0; }
 
     /// The warnings. Throws InputError if there are errors, otherwise UnsupportedError if something is

@@ -51,9 +51,9 @@ void check_names(Context& context, const syntax::Tree& domain, const syntax::Tre
 }  // namespace
 
 LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
-                 const Sources& sources, Reporter& reporter) {
+                 Reporter& reporter) {
     LiftedTask task;
-    Context context(sources, symbols, reporter, task);
+    Context context(symbols, reporter, task);
     check_sections(context, domain);
     check_sections(context, problem);
     check_names(context, domain, problem);

@@ -10,6 +10,6 @@ namespace praxis::check {
 /// Resolves every name and checks everything that can be checked without grounding. Mistakes go to the
 /// reporter; the task is whole only if there are none.
 LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
-                 const Sources& sources, Reporter& reporter);
+                 Reporter& reporter);
 
 }  // namespace praxis::check

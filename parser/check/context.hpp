@@ -45,10 +45,8 @@ enum class Feature : std::uint8_t {
 };
 
 struct Context {
-    Context(const Sources& all_sources, const syntax::SymbolTable& table, Reporter& errors,
-            LiftedTask& target)
-        : sources(all_sources),
-          symbols(table),
+    Context(const syntax::SymbolTable& table, Reporter& errors, LiftedTask& target)
+        : symbols(table),
           reporter(errors),
           task(target),
           types(table.size()),
@@ -59,7 +57,6 @@ struct Context {
           variables(table.size()),
           object_functions(table.size(), false) {}
 
-    const Sources& sources;
     const syntax::SymbolTable& symbols;
     Reporter& reporter;
     LiftedTask& task;
