@@ -86,18 +86,16 @@ std::vector<Condition> multiplied_out(Condition::Kind kind, const Condition& con
 /// two joins.
 Condition quantify(Condition::Kind kind, const std::vector<std::uint32_t>& variables, Condition child) {
     using Kind = Condition::Kind;
-    if (child.kind == Kind::truth || child.kind == Kind::falsity) {
-        // Over an empty type the quantifier decides alone, which is known only later.
-    } else if (child.kind == kind) {
+    if (child.kind == kind) {
         std::vector<std::uint32_t> all = variables;
         all.insert(all.end(), child.variables.begin(), child.variables.end());
         Condition inner = std::move(child.children.front());
-        child = std::move(inner);
-        return quantify(kind, all, std::move(child));
-    } else if (std::vector<Condition> parts = multiplied_out(kind, child); parts.size() > 1) {
-        std::vector<Condition> quantified;
-        for (Condition& part : parts) quantified.push_back(quantify(kind, variables, std::move(part)));
-        return kind == Kind::exists ? disjunction(std::move(quantified)) : conjunction(std::move(quantified));
+        return quantify(kind, all, std::move(inner));
+    }
+    std::vector<Condition> parts = multiplied_out(kind, child);
+    if (parts.size() > 1) {
+        for (Condition& part : parts) part = quantify(kind, variables, std::move(part));
+        return kind == Kind::exists ? disjunction(std::move(parts)) : conjunction(std::move(parts));
     }
     Condition result;
     result.kind = kind;
@@ -161,20 +159,9 @@ Condition normalise(const Formula& formula, bool negate) {
         }
         case Connective::existential:
         case Connective::universal: {
-            Condition child = normalise(formula.children.front(), negate);
             const bool existential = (formula.kind == Connective::existential) != negate;
-            const auto kind = existential ? Condition::Kind::exists : Condition::Kind::forall;
-            Condition result;
-            result.kind = kind;
-            result.variables = formula.variables;
-            if (child.kind == kind) {
-                result.variables.insert(result.variables.end(), child.variables.begin(),
-                                        child.variables.end());
-                Condition inner = std::move(child.children.front());
-                child = std::move(inner);
-            }
-            result.children.push_back(std::move(child));
-            return result;
+            return quantify(existential ? Condition::Kind::exists : Condition::Kind::forall,
+                            formula.variables, normalise(formula.children.front(), negate));
         }
     }
     return constant(!negate);

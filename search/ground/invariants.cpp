@@ -335,7 +335,7 @@ class Search {
     std::vector<std::uint32_t> predicate_of_;  ///< by atom
     std::vector<std::uint32_t> adders_begin_;  ///< by predicate
     std::vector<std::uint32_t> adders_;        ///< operators that add an atom of the predicate
-    std::vector<std::uint32_t> rejecters_;      ///< operators that were not balanced, useful ones first
+    std::vector<std::uint32_t> rejecters_;     ///< operators that were not balanced, useful ones first
     std::size_t next_rejecter_ = 0;
     std::set<Candidate> seen_;
     std::size_t steps_ = 0;
