@@ -42,6 +42,11 @@ std::string positive_number(const std::string& text) {
     return "'" + text + "' is not a positive number";
 }
 
+std::string non_negative_integer(const std::string& text) {
+    if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) return {};
+    return "'" + text + "' is not a non-negative integer";
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
     auto* quiet = app.add_flag("-q,--quiet", options.quiet, "Nothing on standard error but errors");
     app.add_flag("-v,--verbose", options.verbose, "Phases and statistics on standard error")->excludes(quiet);
@@ -65,7 +70,7 @@ constexpr const char* kPlanUsage =
     "\n'-' reads a file from standard input. 'plan COMMAND --help' tells more about a command.";
 
 constexpr const char* kPlanFooter =
-    "\nThe plan goes to standard output, everything else to standard error.\n"
+    "The plan goes to standard output, everything else to standard error.\n"
     "\nExit codes:\n"
     "  0 plan found; 10, 11 proved unsolvable (before, by search); 12 searched in vain, without a proof;\n"
     "  22 memory limit; 23 time limit; 30 internal error; 31 wrong input; 34 unsupported input;\n"
@@ -78,7 +83,7 @@ constexpr const char* kPlanFooter =
 
 constexpr const char* kValidateUsage = "\nUsage:\n  plan validate DOMAIN PROBLEM PLAN [options]";
 constexpr const char* kValidateFooter =
-    "\nExit codes: 0 valid; 1 not valid; 31 a file is wrong; 34 unsupported input\n"
+    "Exit codes: 0 valid; 1 not valid; 31 a file is wrong; 34 unsupported input\n"
     "\nExamples:\n"
     "  plan validate domain.pddl problem.pddl my.plan\n"
     "  plan domain.pddl problem.pddl --quiet | plan validate domain.pddl problem.pddl -";
@@ -86,12 +91,12 @@ constexpr const char* kValidateFooter =
 constexpr const char* kGroundUsage =
     "\nUsage:\n  plan ground DOMAIN PROBLEM [options]\n  plan ground PROBLEM [options]";
 constexpr const char* kGroundFooter =
-    "\nExamples:\n"
+    "Examples:\n"
     "  plan ground domain.pddl problem.pddl\n"
     "  plan ground domain.pddl problem.pddl --sas output.sas";
 
 constexpr const char* kListUsage = "\nUsage:\n  plan list [evaluators|engines|aliases]";
-constexpr const char* kListFooter = "\nExamples:\n  plan list\n  plan list evaluators";
+constexpr const char* kListFooter = "Examples:\n  plan list\n  plan list evaluators";
 
 /// Parses and answers for help, version and wrong usage; nothing if the options are ready to use.
 std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, const char* hint) {
@@ -132,12 +137,12 @@ Request parse_plan_command(std::vector<std::string> arguments) {
                    "Write the plan to FILE too; all plans of an anytime search to FILE.1, FILE.2, ...")
         ->type_name("FILE");
     add_common_options(app, options);
-    app.add_option("--threads", options.threads, "Threads (default: 1)")
+    app.add_option("--threads", options.threads, "Threads for searches that use several (default: 1)")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, 1024).description(""));
     app.add_option("--seed", options.seed, "Seed of whatever is random (default: 0)")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber);
+        ->check(non_negative_integer);
     bool no_check = false;
     app.add_flag("--no-check", no_check, "Do not validate plans before they are given out");
     if (auto done = parse(app, std::move(arguments), "plan")) return *done;
