@@ -8,6 +8,7 @@
 #include "search/ground/encode.hpp"
 #include "search/ground/instantiate.hpp"
 #include "search/ground/invariants.hpp"
+#include "search/ground/mutex_pruning.hpp"
 #include "search/ground/reach.hpp"
 #include "search/ground/relations.hpp"
 #include "search/ground/simplify.hpp"
@@ -81,12 +82,16 @@ GroundResult ground(const LiftedTask& lifted, const GroundOptions& options, cons
     timer.done("simplify",
                {{"operators", propositions.operator_count()}, {"axioms", propositions.heads.size()}});
 
-    const MutexGroups groups =
+    MutexGroups groups =
         find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
     if (budget.exhausted() != Stop::none) return out_of_budget();
     timer.done("invariants", {{"candidates", groups.candidates},
                               {"invariants", groups.invariants},
                               {"mutex groups", groups.groups.size()}});
+
+    prune_with_mutexes(propositions, groups);
+    timer.done("prune",
+               {{"operators", propositions.operator_count()}, {"mutex groups", groups.groups.size()}});
 
     auto task = std::make_shared<FiniteDomainTask>(
         encode(lifted, propositions, groups, relations, reached.actions, options.prune_irrelevant));

@@ -51,6 +51,7 @@ struct PropositionTask {
     std::vector<bool> derived;   ///< by atom
     std::vector<bool> initial;   ///< by atom: holds at first (never for derived ones)
     std::vector<bool> constant;  ///< by atom: holds at first and is never deleted
+    std::vector<bool> never;     ///< by atom: cannot come true; empty: not known of any
 
     // Operators.
     PackedLists<Literal> preconditions;      ///< sorted

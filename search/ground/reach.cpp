@@ -9,6 +9,18 @@
 
 namespace praxis::grounding {
 
+namespace {
+
+/// The action adds the same atom unconditionally, and adds win.
+bool added_anyway(const Schema& schema, const Effect& deletion) {
+    return std::any_of(schema.effects.begin(), schema.effects.end(), [&](const Effect& effect) {
+        return effect.add && effect.predicate == deletion.predicate && effect.terms == deletion.terms &&
+               effect.variables == deletion.variables && effect.condition.kind == Connective::truth;
+    });
+}
+
+}  // namespace
+
 NormalTask normalise(const LiftedTask& task) {
     NormalTask normal;
     normal.lifted = &task;
@@ -16,6 +28,7 @@ NormalTask normalise(const LiftedTask& task) {
         NormalSchema& made = normal.schemas.emplace_back();
         made.precondition = normalise(schema.precondition);
         for (const Effect& effect : schema.effects) {
+            if (!effect.add && added_anyway(schema, effect)) continue;
             Condition condition = normalise(effect.condition);
             if (condition.kind != Condition::Kind::falsity)
                 made.effects.push_back({&effect, std::move(condition)});

@@ -1,7 +1,9 @@
 #include "search/ground/variables.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
+#include <utility>
 
 namespace praxis::grounding {
 namespace {
@@ -24,8 +26,10 @@ class Cover {
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             for (AtomId atom : groups_[g]) groups_of[fill[atom]++] = static_cast<std::uint32_t>(g);
             uncovered[g] = static_cast<std::uint32_t>(groups_[g].size());
-            by_size.resize(std::max<std::size_t>(by_size.size(), uncovered[g] + 1));
-            by_size[uncovered[g]].push_back(static_cast<std::uint32_t>(g));
+        }
+        for (std::uint32_t group : by_overlap(count)) {
+            by_size.resize(std::max<std::size_t>(by_size.size(), uncovered[group] + 1));
+            by_size[uncovered[group]].push_back(group);
         }
         std::vector<AtomId> members;
         for (std::size_t size = by_size.size(); size-- > 2;) {
@@ -45,11 +49,26 @@ class Cover {
             }
         }
         for (AtomId atom = 0; atom < task_.atom_count; ++atom)
-            if (!task_.constant[atom] && variables_.fact_of[atom].variable == Variables::kNone)
+            if (!task_.constant[atom] && !task_.never[atom] &&
+                variables_.fact_of[atom].variable == Variables::kNone)
                 add_variable({&atom, 1}, true);
     }
 
   private:
+    /// Groups whose atoms are in few other groups first: taking one then breaks few others.
+    std::vector<std::uint32_t> by_overlap(const std::vector<std::uint32_t>& groups_before) const {
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            std::uint64_t overlap = 0;
+            for (AtomId atom : groups_[g]) overlap += groups_before[atom + 1] - groups_before[atom];
+            order.emplace_back(overlap, g);
+        }
+        std::sort(order.begin(), order.end());
+        std::vector<std::uint32_t> result;
+        for (const auto& [overlap, group] : order) result.push_back(group);
+        return result;
+    }
+
     void add_variable(std::span<const AtomId> members, bool has_none) {
         const auto variable = static_cast<std::int32_t>(variables_.count());
         for (std::size_t value = 0; value < members.size(); ++value)
