@@ -8,7 +8,7 @@ namespace praxis::grounding {
 
 CostEvaluator::CostEvaluator(const LiftedTask& task, const Schema& schema) : task_(task), schema_(schema) {
     tables_.resize(task.functions.size());
-    if (task.minimize_cost && schema.cost) load(*schema.cost);
+    if (schema.cost) load(*schema.cost);
 }
 
 void CostEvaluator::load(const Expression& expression) {
@@ -73,7 +73,7 @@ std::optional<Rational> CostEvaluator::evaluate(const Expression& expression, co
 
 bool CostEvaluator::evaluate(const Object* binding) {
     value_ = Rational();
-    if (!task_.minimize_cost || !schema_.cost) return true;
+    if (!schema_.cost) return true;
     std::optional<Rational> value;
     try {
         value = evaluate(*schema_.cost, binding);

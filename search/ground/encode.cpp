@@ -22,12 +22,13 @@ namespace {
 class Encoder {
   public:
     Encoder(const LiftedTask& lifted, const PropositionTask& task, const MutexGroups& mutex_groups,
-            const Relations& relations, const std::vector<RelationId>& actions)
+            const Relations& relations, const std::vector<RelationId>& actions, const Budget& budget)
         : lifted_(lifted),
           task_(task),
           mutex_groups_(mutex_groups),
           relations_(relations),
           actions_(actions),
+          budget_(budget),
           variables_(choose_variables(task, mutex_groups.groups)) {}
 
     FiniteDomainTask run(bool prune) {
@@ -41,6 +42,7 @@ class Encoder {
         encode_operators();
         encode_axioms();
         encode_mutex_groups();
+        if (budget_.exhausted() != Stop::none) return std::move(made_);
         if (prune) made_ = without_irrelevant(std::move(made_));
         return std::move(made_);
     }
@@ -160,6 +162,7 @@ class Encoder {
         made_.preconditions.reserve(reserve, task_.preconditions.total());
         made_.effects.reserve(reserve, task_.effects.total());
         for (std::size_t o = 0; o < task_.operator_count(); ++o) {
+            if (o % 4096 == 0 && budget_.exhausted() != Stop::none) return;
             if (!encode_list(task_.preconditions[o], precondition_)) continue;
             encode_effects(o);
             if (effects_.empty()) continue;
@@ -314,6 +317,7 @@ class Encoder {
     const MutexGroups& mutex_groups_;
     const Relations& relations_;
     const std::vector<RelationId>& actions_;
+    const Budget& budget_;
     Variables variables_;
     std::vector<std::int32_t> layers_;
     FiniteDomainTask made_;
@@ -329,8 +333,8 @@ class Encoder {
 
 FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task,
                         const MutexGroups& mutex_groups, const Relations& relations,
-                        const std::vector<RelationId>& actions, bool prune_irrelevant) {
-    Encoder encoder(lifted, task, mutex_groups, relations, actions);
+                        const std::vector<RelationId>& actions, bool prune_irrelevant, const Budget& budget) {
+    Encoder encoder(lifted, task, mutex_groups, relations, actions, budget);
     return task.goal_reachable ? encoder.run(prune_irrelevant) : encoder.unsolvable();
 }
 

@@ -78,23 +78,24 @@ GroundResult ground(const LiftedTask& lifted, const GroundOptions& options, cons
                                {"operators", propositions.operator_count()},
                                {"axioms", propositions.heads.size()}});
 
+    if (budget.exhausted() != Stop::none) return out_of_budget();
     if (!simplify_axioms(propositions)) refuse_unstratified(lifted);
     timer.done("simplify",
                {{"operators", propositions.operator_count()}, {"axioms", propositions.heads.size()}});
 
-    MutexGroups groups =
-        find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
+    MutexGroups groups = find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
     if (budget.exhausted() != Stop::none) return out_of_budget();
     timer.done("invariants", {{"candidates", groups.candidates},
                               {"invariants", groups.invariants},
                               {"mutex groups", groups.groups.size()}});
 
     prune_with_mutexes(propositions, groups);
+    if (budget.exhausted() != Stop::none) return out_of_budget();
     timer.done("prune",
                {{"operators", propositions.operator_count()}, {"mutex groups", groups.groups.size()}});
 
     auto task = std::make_shared<FiniteDomainTask>(
-        encode(lifted, propositions, groups, relations, reached.actions, options.prune_irrelevant));
+        encode(lifted, propositions, groups, relations, reached.actions, options.prune_irrelevant, budget));
     if (budget.exhausted() != Stop::none) return out_of_budget();
     timer.done("encode", {{"variables", task->variable_count()},
                           {"facts", task->fact_count()},

@@ -151,7 +151,7 @@ class Instantiation {
             complete_ = relations_.tick() && !conditions_.stopped();
             std::copy_n(actions.row(row), actions.arity(), binding_.begin());
             if (!ground_literals()) continue;
-            if (lifted_.minimize_cost && !cost.evaluate(binding_.data())) continue;
+            if (!cost.evaluate(binding_.data())) continue;
             if (complex_.kind == Condition::Kind::truth) {
                 add_operator(literals_, number, row, cost.value());
                 continue;
