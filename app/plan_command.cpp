@@ -24,8 +24,7 @@ std::string bug_report(const PlanOptions& options, const std::string& expression
            "the two files and these lines:\n  praxis " PRAXIS_VERSION "; domain " +
            (options.domain.empty() ? "(beside the problem)" : options.domain) + "; problem " +
            options.problem + "\n  --search '" + expression + "' --seed " + std::to_string(options.seed) +
-           " --threads " + std::to_string(options.threads) + "\n  step " + std::to_string(verdict.step) +
-           ": " + verdict.reason + "\n" + plan;
+           " --threads " + std::to_string(options.threads) + "\n  " + verdict.reason + "\n" + plan;
 }
 
 /// Takes the plans as they are found: checks them, keeps the best, writes the plan files.

@@ -156,7 +156,7 @@ int Run::finish(const Ending& ending) {
     }
     report_.status = last.status;
     report_.exit_code = last.exit_code;
-    report_.message = last.message;
+    if (!last.message.empty()) report_.message = last.message;
     if (!last.message.empty() && (!options_.quiet || last.exit_code >= kInternalError))
         std::fprintf(stderr, "%s\n", last.message.c_str());
     if (!options_.json.empty()) {

@@ -31,10 +31,7 @@ Ending validate(Run& run, const ValidateOptions& options) {
     Verdict verdict = praxis::validate(*task, parsed.plan);
     std::string message;
     if (!verdict.valid) {
-        const std::size_t steps = parsed.plan.steps.size();
-        message = verdict.step > steps ? "the goal is not reached: "
-                                       : "step " + std::to_string(verdict.step) + ": ";
-        message = "invalid plan: " + message + verdict.reason;
+        message = "invalid plan: " + verdict.reason;
     } else if (parsed.cost_claimed && parsed.plan.cost != verdict.cost) {
         verdict.valid = false;
         message = "invalid plan: it claims cost " + parsed.plan.cost.to_string() + " but costs " +

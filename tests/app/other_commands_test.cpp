@@ -35,14 +35,14 @@ TEST_F(OtherCommands, PlanFromStandardInput) {
 TEST_F(OtherCommands, PlanWithAStepLeftOut) {
     const Outcome outcome = validate("(go a b)\n(go c d)\n");
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_TRUE(contains(outcome.out, "step 2")) << outcome.out;
+    EXPECT_TRUE(outcome.out.starts_with("invalid plan: step 2 (go c d): ")) << outcome.out;
     EXPECT_TRUE(contains(outcome.out, "(at c)")) << outcome.out;
 }
 
 TEST_F(OtherCommands, PlanThatStopsShort) {
     const Outcome outcome = validate("(go a b)\n(go b c)\n");
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_TRUE(contains(outcome.out, "goal")) << outcome.out;
+    EXPECT_TRUE(outcome.out.starts_with("invalid plan: the goal is not reached: (at d) ")) << outcome.out;
 }
 
 TEST_F(OtherCommands, PlanThatClaimsTooLittle) {
@@ -66,6 +66,7 @@ TEST_F(OtherCommands, VerdictInTheReport) {
     EXPECT_EQ(report["status"], "invalid");
     EXPECT_EQ(report["verdict"]["valid"], false);
     EXPECT_EQ(report["verdict"]["failing_step"], 2);
+    EXPECT_TRUE(contains(report["message"], "step 2 (go c d): "));
 }
 
 TEST_F(OtherCommands, GroundShowsPhasesAndCounts) {
