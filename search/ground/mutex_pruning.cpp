@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/ground/operator_rewriter.hpp"
+
 namespace praxis::grounding {
 namespace {
 
@@ -132,47 +134,29 @@ class Pruning {
     }
 
     void rewrite_operators() {
-        PackedLists<Literal> preconditions;
-        PackedLists<PropositionEffect> effects;
-        PackedLists<Literal> conditions;
-        preconditions.reserve(task_.operator_count(), task_.preconditions.total());
-        effects.reserve(task_.operator_count(), task_.effects.total());
-        conditions.close();
-        Conjunction list;
-        std::vector<PropositionEffect> kept_effects;
-        std::size_t kept = 0;
+        OperatorRewriter rewriter(task_);
+        Conjunction precondition;
+        Conjunction condition;
+        std::vector<PropositionEffect> effects;
         for (std::size_t o = 0; o < task_.operator_count(); ++o) {
-            if (impossible_[o] || !rewritten(task_.preconditions[o], list)) continue;
-            preconditions.append(list);
-            occupy(list);
-            kept_effects.clear();
+            if (impossible_[o] || !rewritten(task_.preconditions[o], precondition)) continue;
+            occupy(precondition);
+            effects.clear();
             for (PropositionEffect effect : task_.effects[o]) {
                 const AtomId atom = atom_of(effect.literal);
                 if (task_.never[atom] || (is_negative(effect.literal) && excluded(atom))) continue;
                 if (effect.condition != 0) {
-                    if (!rewritten(task_.conditions[effect.condition], list) || contradicts_occupied(list))
+                    if (!rewritten(task_.conditions[effect.condition], condition) ||
+                        contradicts_occupied(condition))
                         continue;
-                    effect.condition = 0;
-                    if (!list.empty()) {
-                        effect.condition = static_cast<std::uint32_t>(conditions.size());
-                        conditions.append(list);
-                    }
+                    effect.condition = rewriter.condition(condition);
                 }
-                kept_effects.push_back(effect);
+                effects.push_back(effect);
             }
             vacate();
-            effects.append(kept_effects);
-            task_.schemas[kept] = task_.schemas[o];
-            task_.rows[kept] = task_.rows[o];
-            if (!task_.costs.empty()) task_.costs[kept] = task_.costs[o];
-            ++kept;
+            if (!effects.empty()) rewriter.keep(o, precondition, effects);
         }
-        task_.schemas.resize(kept);
-        task_.rows.resize(kept);
-        if (!task_.costs.empty()) task_.costs.resize(kept);
-        task_.preconditions = std::move(preconditions);
-        task_.effects = std::move(effects);
-        task_.conditions = std::move(conditions);
+        rewriter.finish();
     }
 
     bool contradicts_occupied(const Conjunction& condition) const {

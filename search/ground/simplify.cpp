@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "search/ground/ground_condition.hpp"
+#include "search/ground/operator_rewriter.hpp"
 
 namespace praxis::grounding {
 namespace {
@@ -203,39 +204,23 @@ class AxiomSimplifier {
     }
 
     void rewrite_operators() {
-        PackedLists<Literal> preconditions;
-        PackedLists<PropositionEffect> effects;
-        PackedLists<Literal> conditions;
-        std::vector<bool> possible_condition;
-        Conjunction list;
-        for (std::size_t c = 0; c < task_.conditions.size(); ++c) {
-            possible_condition.push_back(rewritten(task_.conditions[c], list));
-            conditions.append(possible_condition.back() ? list : Conjunction{});
-        }
-        std::size_t kept = 0;
-        std::vector<PropositionEffect> operator_effects;
+        OperatorRewriter rewriter(task_);
+        Conjunction precondition;
+        Conjunction condition;
+        std::vector<PropositionEffect> effects;
         for (std::size_t o = 0; o < task_.operator_count(); ++o) {
-            if (!rewritten(task_.preconditions[o], list)) continue;
-            operator_effects.clear();
+            if (!rewritten(task_.preconditions[o], precondition)) continue;
+            effects.clear();
             for (PropositionEffect effect : task_.effects[o]) {
-                if (!possible_condition[effect.condition]) continue;
-                if (conditions[effect.condition].empty()) effect.condition = 0;
-                operator_effects.push_back(effect);
+                if (effect.condition != 0) {
+                    if (!rewritten(task_.conditions[effect.condition], condition)) continue;
+                    effect.condition = rewriter.condition(condition);
+                }
+                effects.push_back(effect);
             }
-            if (operator_effects.empty()) continue;
-            preconditions.append(list);
-            effects.append(operator_effects);
-            task_.schemas[kept] = task_.schemas[o];
-            task_.rows[kept] = task_.rows[o];
-            if (!task_.costs.empty()) task_.costs[kept] = task_.costs[o];
-            ++kept;
+            if (!effects.empty()) rewriter.keep(o, precondition, effects);
         }
-        task_.schemas.resize(kept);
-        task_.rows.resize(kept);
-        if (!task_.costs.empty()) task_.costs.resize(kept);
-        task_.preconditions = std::move(preconditions);
-        task_.effects = std::move(effects);
-        task_.conditions = std::move(conditions);
+        rewriter.finish();
     }
 
     void rewrite_axioms() {
