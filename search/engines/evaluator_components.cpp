@@ -71,7 +71,7 @@ std::vector<Component> evaluator_components() {
         "goalcount", "the number of goal facts that do not hold", {"supported", "yes", "no", "no"}));
     all.push_back(heuristic<HmaxEvaluator>(
         "hmax", "cost of the dearest goal fact under delete relaxation (Bonet and Geffner 1999)",
-        {"supported (relaxed)", "yes", "yes", "yes, without axioms"}));
+        {"supported (relaxed)", "yes", "yes", "yes"}));
     all.push_back(heuristic<AddEvaluator>(
         "add", "sum of the goal facts' costs under delete relaxation (Bonet and Geffner 1999)",
         {"supported (relaxed)", "yes", "no", "no"}));
