@@ -11,7 +11,7 @@
 
 #include "parser/parser.hpp"
 #include "search/validate.hpp"
-#include "tests/search/naive_validator.hpp"
+#include "tests/search/support/naive_validator.hpp"
 
 namespace praxis {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "parser/parser.hpp"
-#include "tests/search/naive_validator.hpp"
-#include "tests/search/random_task.hpp"
+#include "tests/search/support/naive_validator.hpp"
+#include "tests/search/support/random_task.hpp"
 
 namespace praxis {
 namespace {

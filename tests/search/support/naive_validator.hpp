@@ -1,6 +1,5 @@
-// The textbook semantics of a plan, as simply as it can be written: sets of tuples, every quantifier a loop
-// over its type, axioms by repeated passes. A second opinion for the validator's tests; shares no code with
-// it.
+// Whether a plan is valid by the textbook semantics (see naive_semantics.hpp). A second opinion for the
+// validator's tests.
 #pragma once
 
 #include <cstddef>

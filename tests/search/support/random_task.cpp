@@ -1,4 +1,4 @@
-#include "tests/search/random_task.hpp"
+#include "tests/search/support/random_task.hpp"
 
 #include <algorithm>
 #include <random>
@@ -166,6 +166,7 @@ class Maker {
             if (chance(0.6)) effect.condition = formula(2, visible, 0);
             effect.add = chance(0.5);
             effect.predicate = PredicateId(below(kBasic));
+            task_.predicates[effect.predicate.index()].fluent = true;
             effect.terms = terms(task_.predicates[effect.predicate.index()].parameters.size(), visible);
             schema.effects.push_back(std::move(effect));
         }
