@@ -95,7 +95,8 @@ Configuration alias(const std::string& name) {
 }
 
 std::vector<AliasDescription> list_aliases() {
-    return {{"agile", "lazy_greedy([ff(cost_type=one)],preferred=[ff(cost_type=one)],cost_type=one)",
+    return {{"agile",
+             "lazy_greedy([ff(cost_type=one),goalcount()],preferred=[ff(cost_type=one)],cost_type=one)",
              "the first plan, as fast as possible"},
             {"optimal", "astar(lmcut())", "a cheapest plan"}};
 }
