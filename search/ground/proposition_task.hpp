@@ -50,7 +50,7 @@ struct PropositionTask {
     AtomId atom_count = 0;       ///< auxiliary ones included
     std::vector<bool> derived;   ///< by atom
     std::vector<bool> initial;   ///< by atom: holds at first (never for derived ones)
-    std::vector<bool> constant;  ///< by atom: holds at first and is never deleted
+    std::vector<bool> constant;  ///< by atom: holds at first and is never deleted, or is always derived
     std::vector<bool> never;     ///< by atom: cannot come true; empty: not known of any
 
     // Operators.

@@ -131,7 +131,8 @@ void Engine::find_dynamic(std::size_t first) {
     for (RelationId relation = 0; relation < relations_.size(); ++relation) {
         dynamic_[relation] = headed[relation] && used[relation];
         if (dynamic_[relation]) queue_relations_.push_back(relation);
-        if (!headed[relation]) relations_[relation].publish(relations_[relation].size());
+        // What these rules do not read may be dynamic for later ones, and then must not be published yet.
+        if (!headed[relation] && used[relation]) relations_[relation].publish(relations_[relation].size());
     }
     for (std::size_t r = first; r < rules_.size(); ++r) {
         const auto& atoms = rules_[r].body.atoms;
@@ -297,7 +298,13 @@ class Reachability {
         const Schema& schema = lifted_.schemas[number];
         const auto& types = schema.scope.variable_types;
         std::vector<Body> bodies = maker_.alternatives(task_.schemas[number].precondition, types);
-        const bool distinct = bodies.size() == 1;
+        // Rules of effects with conditions or variables look the action up.
+        const auto& effects = task_.schemas[number].effects;
+        const bool looked_up = std::any_of(effects.begin(), effects.end(), [](const NormalEffect& effect) {
+            return effect.effect->add &&
+                   (effect.condition.kind != Condition::Kind::truth || !effect.effect->variables.empty());
+        });
+        const bool distinct = bodies.size() == 1 && !looked_up;
         std::vector<Term> parameters;
         std::vector<TypeId> parameter_types;
         for (std::uint32_t i = 0; i < schema.scope.parameter_count; ++i) {
@@ -315,7 +322,7 @@ class Reachability {
             rule.distinct = distinct;
             rules_.push_back(std::move(rule));
         }
-        for (const NormalEffect& effect : task_.schemas[number].effects)
+        for (const NormalEffect& effect : effects)
             if (effect.effect->add) add_effect(effect, relation, parameters, types);
     }
 

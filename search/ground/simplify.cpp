@@ -201,6 +201,8 @@ class AxiomSimplifier {
         Conjunction goal;
         task_.goal_reachable = task_.goal_reachable && rewritten(task_.goal, goal);
         task_.goal = std::move(goal);
+        for (AtomId atom = 0; atom < task_.atom_count; ++atom)
+            if (values_[atom] == Value::yes) task_.constant[atom] = true;
     }
 
     void rewrite_operators() {
