@@ -272,36 +272,37 @@ class Instantiation {
     }
 
     /// Drops effects without effect: repeated ones, deletes of what is added for sure, what the precondition
-    /// says already.
+    /// says already. Deletes come before adds.
     void tidy_effects(const Conjunction& precondition) {
         auto& effects = operator_effects_;
-        std::vector<Literal>& sure = sure_adds_;
-        sure.clear();
+        sure_.clear();
         for (const PropositionEffect& effect : effects)
-            if (effect.condition == 0 && !is_negative(effect.literal)) sure.push_back(effect.literal);
-        std::sort(sure.begin(), sure.end());
+            if (effect.condition == 0) sure_.push_back({effect.literal, false});
+        std::sort(sure_.begin(), sure_.end());
+        const auto sure = [&](Literal literal) {
+            const auto found = std::lower_bound(sure_.begin(), sure_.end(), std::pair(literal, false));
+            return found != sure_.end() && found->first == literal ? &*found : nullptr;
+        };
+        const auto required = [&](Literal literal) {
+            return std::binary_search(precondition.begin(), precondition.end(), literal);
+        };
         touched_.clear();  // atoms that some remaining delete may make false
+        const auto first_add =
+            std::find_if(effects.begin(), effects.end(),
+                         [](const PropositionEffect& effect) { return !is_negative(effect.literal); });
+        for (auto effect = effects.begin(); effect != first_add; ++effect)
+            if (!required(effect->literal) && sure(opposite(effect->literal)) == nullptr)
+                touched_.push_back(opposite(effect->literal));
+        std::sort(touched_.begin(), touched_.end());
         std::size_t kept = 0;
         for (const PropositionEffect& effect : effects) {
             const Literal literal = effect.literal;
-            if (is_negative(literal)) {
-                if (std::binary_search(sure.begin(), sure.end(), opposite(literal))) continue;
-                if (std::binary_search(precondition.begin(), precondition.end(), literal)) {
-                    // false before: only an add can make it true, and adds win
-                    continue;
-                }
-                touched_.push_back(opposite(literal));
-            } else if (std::binary_search(precondition.begin(), precondition.end(), literal) &&
-                       std::find(touched_.begin(), touched_.end(), literal) == touched_.end()) {
-                continue;
+            if (is_negative(literal) && sure(opposite(literal)) != nullptr) continue;
+            if (required(literal) && !std::binary_search(touched_.begin(), touched_.end(), literal)) continue;
+            if (auto* unconditional = sure(literal)) {
+                if (effect.condition != 0 || std::exchange(unconditional->second, true)) continue;
             }
-            const bool repeated =
-                std::any_of(effects.begin(), effects.begin() + static_cast<std::ptrdiff_t>(kept),
-                            [&](const PropositionEffect& other) {
-                                return other.literal == literal &&
-                                       (other.condition == 0 || other.condition == effect.condition);
-                            });
-            if (!repeated) effects[kept++] = effect;
+            effects[kept++] = effect;
         }
         effects.resize(kept);
     }
@@ -346,7 +347,7 @@ class Instantiation {
     Conjunction literals_;
     Disjunction alternatives_;
     std::vector<PropositionEffect> operator_effects_;
-    std::vector<Literal> sure_adds_;
+    std::vector<std::pair<Literal, bool>> sure_;  ///< unconditional effects, and whether met
     std::vector<Literal> touched_;
 };
 
