@@ -36,7 +36,7 @@ std::size_t read_number(const char* path) {
 void guard_memory(std::optional<std::size_t> limit_bytes) {
     reserve = std::malloc(kReserve);
     std::set_new_handler(on_failure);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef PRAXIS_SANITIZED
     if (!limit_bytes) return;
     rlimit now{};
     getrlimit(RLIMIT_DATA, &now);

@@ -25,6 +25,7 @@ if(PRAXIS_WERROR)
 endif()
 if(PRAXIS_SANITIZE)
   target_compile_options(praxis_options INTERFACE -fsanitize=${PRAXIS_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_definitions(praxis_options INTERFACE PRAXIS_SANITIZED)
   target_link_options(praxis_options INTERFACE -fsanitize=${PRAXIS_SANITIZE})
 endif()
 

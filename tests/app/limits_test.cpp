@@ -8,7 +8,7 @@
 #include "tests/app/process.hpp"
 #include "tests/app/tasks.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PRAXIS_SANITIZED
 constexpr bool kSanitized = true;
 constexpr double kTolerance = 3;
 #else
