@@ -143,9 +143,14 @@ class Search {
         current_ = &candidate;
         for (std::uint32_t i = 0; i < candidate.size(); ++i) part_of_[candidate[i].predicate] = i;
         bool result = true;
-        for (std::size_t i = 0; i < rejecters_.size() && result; ++i) {
-            result = balanced(rejecters_[i], extensions);
-            if (!result) std::swap(rejecters_[i], rejecters_[i / 2]);
+        // Of the known rejecters the one that suggests fewest extensions keeps the search narrow.
+        std::vector<Candidate> fewer;
+        for (std::size_t i = 0; i < rejecters_.size() && (result || !extensions.empty()); ++i) {
+            fewer.clear();
+            if (balanced(rejecters_[i], fewer)) continue;
+            if (result || fewer.size() < extensions.size()) extensions.swap(fewer);
+            result = false;
+            if (extensions.empty()) std::swap(rejecters_[i], rejecters_[i / 2]);
         }
         for (std::size_t i = 0; i < candidate.size() && result; ++i) {
             const std::uint32_t predicate = candidate[i].predicate;
