@@ -184,6 +184,7 @@ bool ConditionGrounder::add_alternative(const GroundableCondition& condition, Ob
     Conjunction literals;
     Factors factors;
     if (!add(condition, binding, literals, factors)) return true;
+    if (stopped_) return false;
     const bool certain = literals.empty() && factors.empty();
     multiply_out(std::move(literals), std::move(factors), kMostPerAlternative, alternatives);
     return !certain;
@@ -250,7 +251,7 @@ void ConditionGrounder::ground(const GroundableCondition& condition, Object* bin
     result.clear();
     Conjunction literals;
     Factors factors;
-    if (!add(condition, binding, literals, factors)) return;
+    if (!add(condition, binding, literals, factors) || stopped_) return;
     multiply_out(std::move(literals), std::move(factors), most, result);
     tidy(result);
 }
