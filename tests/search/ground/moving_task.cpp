@@ -223,14 +223,24 @@ class Maker {
         return text;
     }
 
+    /// Mostly both for sure; sometimes under conditions, the same or not.
+    std::string leave_and_enter() {
+        static const std::vector<std::string> conditions = {"(marked ?x)", "(and (flag) (marked ?x))",
+                                                            "(not (free ?p))"};
+        if (chance(75)) return often("(not (at ?x ?p))") + "(at ?x ?r)";
+        const std::string& leave = any(conditions);
+        const std::string& enter = chance(60) ? leave : any(conditions);
+        return "(when " + leave + " (not (at ?x ?p))) " +
+               (chance(80) ? "(when " + enter + " (at ?x ?r))" : std::string("(at ?x ?r)"));
+    }
+
     std::string actions() {
         const Variable thing{"?x", cart_ && chance(30) ? "cart" : "thing"};
         const Variables move = {thing, {"?p", "place"}, {"?r", "place"}};
-        std::string text = action(
-            "move", move,
-            often("(at ?x ?p)") + often("(road ?p ?r)") + (chance(50) ? "(free ?r)" : "") +
-                (chance(30) ? "(not (= ?p ?r))" : ""),
-            often("(not (at ?x ?p))") + "(at ?x ?r)" + (chance(50) ? "(not (free ?r)) (free ?p)" : ""));
+        std::string text = action("move", move,
+                                  often("(at ?x ?p)") + often("(road ?p ?r)") +
+                                      (chance(50) ? "(free ?r)" : "") + (chance(30) ? "(not (= ?p ?r))" : ""),
+                                  leave_and_enter() + (chance(50) ? "(not (free ?r)) (free ?p)" : ""));
         const Variables pick = {thing, {"?p", "place"}};
         if (chance(60)) {
             text += action("pick", pick, often("(at ?x ?p)") + (chance(50) ? "(not (held ?x))" : ""),
