@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace praxis::grounding {
@@ -39,6 +40,20 @@ Candidate canonical(Candidate candidate) {
     return candidate;
 }
 
+/// Two candidates with one fingerprint (hardly ever) would cost one of them, never a wrong group.
+std::uint64_t fingerprint(const Candidate& candidate) {
+    std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+    const auto mix = [&](std::uint64_t value) {
+        hash = (hash ^ value) * 0xff51afd7ed558ccdULL;
+        hash ^= hash >> 32;
+    };
+    for (const Part& part : candidate) {
+        mix(part.predicate + (std::uint64_t{1} << 32));
+        for (std::uint32_t column : part.columns) mix(column);
+    }
+    return hash;
+}
+
 class Search {
   public:
     Search(const PropositionTask& task, const Relations& relations, const Budget& budget)
@@ -55,7 +70,7 @@ class Search {
         std::deque<Candidate> queue;
         const auto enqueue = [&](Candidate candidate) {
             candidate = canonical(std::move(candidate));
-            if (seen_.size() < kMostCandidates && seen_.insert(candidate).second)
+            if (seen_.size() < kMostCandidates && seen_.insert(fingerprint(candidate)).second)
                 queue.push_back(std::move(candidate));
         };
         for (std::uint32_t p = 0; p + 1 < task_.first_atom.size(); ++p) {
@@ -342,7 +357,7 @@ class Search {
     std::vector<std::uint32_t> adders_;        ///< operators that add an atom of the predicate
     std::vector<std::uint32_t> rejecters_;     ///< operators that were not balanced, useful ones first
     std::size_t next_rejecter_ = 0;
-    std::set<Candidate> seen_;
+    std::unordered_set<std::uint64_t> seen_;  ///< fingerprints of candidates
     std::size_t steps_ = 0;
     MutexGroups result_;
 

@@ -5,8 +5,8 @@
 namespace praxis::grounding {
 namespace {
 
-constexpr std::size_t kLargestDenseTable = std::size_t{1} << 22;
-constexpr std::size_t kAllDenseTables = std::size_t{1} << 25;
+constexpr std::size_t kLargestDenseTable = std::size_t{1} << 20;
+constexpr std::size_t kAllDenseTables = std::size_t{1} << 23;
 
 }  // namespace
 
