@@ -98,6 +98,11 @@ constexpr const char* kGroundFooter =
 constexpr const char* kListUsage = "\nUsage:\n  plan list [evaluators|engines|aliases]";
 constexpr const char* kListFooter = "Examples:\n  plan list\n  plan list evaluators";
 
+Done usage_error(const char* message, const char* hint) {
+    std::fprintf(stderr, "plan: error: %s\nTry '%s --help'.\n", message, hint);
+    return Done{kInputError};
+}
+
 /// Parses and answers for help, version and wrong usage; nothing if the options are ready to use.
 std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, const char* hint) {
     try {
@@ -110,14 +115,10 @@ std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, con
         std::printf("%s\n", version.what());
         return Done{std::fflush(stdout) == 0 ? kSolved : kOutputError};
     } catch (const CLI::ParseError& error) {
-        std::fprintf(stderr, "plan: error: %s\nTry '%s --help'.\n", error.what(), hint);
-        return Done{kInputError};
+        // Errors about positional arguments begin with their empty option name.
+        const std::string_view message = error.what();
+        return usage_error(message.substr(message.starts_with(": ") ? 2 : 0).data(), hint);
     }
-}
-
-Done usage_error(const char* message, const char* hint) {
-    std::fprintf(stderr, "plan: error: %s\nTry '%s --help'.\n", message, hint);
-    return Done{kInputError};
 }
 
 Request parse_plan_command(std::vector<std::string> arguments) {
