@@ -88,7 +88,7 @@ TEST_F(Limits, MemoryLimitHolds) {
 
 TEST_F(Limits, AddressSpaceOfTheSystemIsAMemoryLimit) {
     if (kSanitized) GTEST_SKIP() << "sanitizers need address space of their own";
-    for (rlim_t megabytes : {40, 80}) {
+    for (const rlim_t megabytes : {rlim_t{40}, rlim_t{80}}) {
         const Outcome outcome = plan(hard({"--time-limit", "50"}), {.prepare = [megabytes] {
                                          const rlimit limit{megabytes << 20, megabytes << 20};
                                          setrlimit(RLIMIT_AS, &limit);
