@@ -53,16 +53,23 @@ double seconds_of(const LiftedTask& task, const Budget& budget, Stop expected) {
     return elapsed.count();
 }
 
-/// The best of three, since other processes may be in the way.
+#ifdef PRAXIS_SANITIZED
+constexpr double kSlack = 2;
+#else
+constexpr double kSlack = 0.1;
+#endif
+
+/// The best of several, since other processes may be in the way.
 void expect_wall_time(const Task& task) {
+    constexpr double kLimit = 0.3;
     double best = 10;
-    for (int i = 0; i < 3 && best >= 0.4; ++i) {
+    for (int i = 0; i < 8 && best >= kLimit + kSlack; ++i) {
         Budget budget;
-        budget.limit_wall_time(0.3);
+        budget.limit_wall_time(kLimit);
         best = std::min(best, seconds_of(*task, budget, Stop::time));
     }
-    EXPECT_GE(best, 0.3);
-    EXPECT_LT(best, 0.4);
+    EXPECT_GE(best, kLimit);
+    EXPECT_LT(best, kLimit + kSlack);
 }
 
 TEST(GroundBudget, WallTimeOfAWideAction) {
@@ -90,13 +97,13 @@ TEST(GroundBudget, StopToken) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         source.request_stop();
     });
-    EXPECT_LT(seconds_of(*wide_action(), budget, Stop::interrupted), 0.5);
+    EXPECT_LT(seconds_of(*wide_action(), budget, Stop::interrupted), 0.4 + kSlack);
 }
 
 TEST(GroundBudget, AlreadySpent) {
     Budget budget;
     budget.limit_wall_time(0);
-    EXPECT_LT(seconds_of(*wide_action(), budget, Stop::time), 0.1);
+    EXPECT_LT(seconds_of(*wide_action(), budget, Stop::time), kSlack);
 }
 
 }  // namespace

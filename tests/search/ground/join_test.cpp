@@ -154,6 +154,7 @@ std::uint32_t any_seed() {
 }
 
 TEST(JoinPlan, MeetsEachMatchOnce) {
+    std::size_t queries = 0;
     std::size_t with_matches = 0;
     EXPECT_TRUE(rc::check([&] {
         const std::uint32_t first = any_seed();
@@ -182,6 +183,7 @@ TEST(JoinPlan, MeetsEachMatchOnce) {
                 return true;
             }));
             RC_ASSERT(found == expected);
+            ++queries;
             with_matches += !expected.empty();
             if (expected.size() > 1) {
                 std::size_t seen = 0;
@@ -190,14 +192,16 @@ TEST(JoinPlan, MeetsEachMatchOnce) {
             }
         }
     }));
-    EXPECT_GT(with_matches, 1500U);
+    EXPECT_GT(with_matches, queries * 15 / 100);
 }
 
 TEST(JoinPlan, TriggersTogetherMeetEachMatchOnce) {
+    std::size_t queries = 0;
     std::size_t triggered = 0, with_matches = 0;
     EXPECT_TRUE(rc::check([&] {
         const std::uint32_t first = any_seed();
         for (std::uint32_t seed = first; seed != first + 100; ++seed) {
+            ++queries;
             Query query(seed);
             const Budget budget;
             Relations relations(query.task, budget);
@@ -244,8 +248,8 @@ TEST(JoinPlan, TriggersTogetherMeetEachMatchOnce) {
             with_matches += !expected.empty();
         }
     }));
-    EXPECT_GT(triggered, 300U);
-    EXPECT_GT(with_matches, 500U);
+    EXPECT_GT(triggered, queries * 3 / 100);
+    EXPECT_GT(with_matches, queries * 5 / 100);
 }
 
 }  // namespace

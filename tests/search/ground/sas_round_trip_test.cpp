@@ -49,10 +49,11 @@ void check_same(const FiniteDomainTask& a, const FiniteDomainTask& b) {
 }
 
 TEST(GroundSas, IsReadAsItWasWritten) {
-    std::size_t tasks = 0, axioms = 0, conditional = 0;
+    std::size_t tried = 0, tasks = 0, axioms = 0, conditional = 0;
     ASSERT_TRUE(rc::check([&] {
         const auto first = *rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>());
         for (std::uint32_t seed = first; seed != first + 5; ++seed) {
+            ++tried;
             GroundOptions options;
             options.prune_irrelevant = seed % 2 == 0;
             const auto task = ground(*test::moving_task(seed).task, options).task;
@@ -66,9 +67,9 @@ TEST(GroundSas, IsReadAsItWasWritten) {
             check_same(*task, read_sas({"task.sas", text.str()}));
         }
     }));
-    EXPECT_GT(tasks, 100U);
-    EXPECT_GT(axioms, 10U);
-    EXPECT_GT(conditional, 10U);
+    EXPECT_GT(tasks, tried / 5);
+    EXPECT_GT(axioms, tried / 100);
+    EXPECT_GT(conditional, tried / 100);
 }
 
 }  // namespace
