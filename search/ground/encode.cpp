@@ -32,10 +32,7 @@ class Encoder {
           variables_(choose_variables(task, mutex_groups.groups)) {}
 
     FiniteDomainTask run(bool prune) {
-        layers_ = axiom_layers(task_);
-        if (layers_.empty() && task_.atom_count > 0)
-            refuse(lifted_, lifted_.axioms.empty() ? lifted_.goal.where : lifted_.axioms.front().where,
-                   "the derived predicates depend on their own negation (no stratification)");
+        layers_ = axiom_layers(task_);  // stratified, or simplify_axioms would have said so
         encode_variables();
         if (!encode_list(task_.goal, made_.goal)) task_reachable_ = false;
         if (!task_reachable_) return unsolvable();
@@ -66,7 +63,7 @@ class Encoder {
   private:
     Fact fact(AtomId atom) const { return variables_.fact_of[atom]; }
 
-    /// The fact for a literal; `implied` by the positive facts of the same list if there is none.
+    /// The fact that says that a literal holds.
     Fact encode(Literal literal) const {
         const AtomId atom = atom_of(literal);
         const Fact fact = variables_.fact_of[atom];

@@ -13,8 +13,7 @@ namespace praxis::grounding {
 
 /// Chooses variables among the mutex groups (greedily the largest first), encodes operators, axioms and goal,
 /// and, if asked, leaves out variables that cannot matter for the goal. Throws UnsupportedError for costs too
-/// large or axioms that depend on their own negation.
-/// If the budget runs out, the result is incomplete.
+/// large. If the budget runs out, the result is incomplete.
 FiniteDomainTask encode(const LiftedTask& lifted, const PropositionTask& task,
                         const MutexGroups& mutex_groups, const Relations& relations,
                         const std::vector<RelationId>& actions, bool prune_irrelevant, const Budget& budget);

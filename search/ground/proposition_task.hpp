@@ -39,8 +39,7 @@ struct PropositionEffect {
     std::uint32_t condition;  ///< list of `conditions`; 0: none
 };
 
-/// How many conjunctions, each a sorted list of literals, a ground condition was turned into: a disjunction
-/// of them.
+/// What a ground condition comes to: a disjunction of conjunctions, each a sorted list of literals.
 using Conjunction = std::vector<Literal>;
 using Disjunction = std::vector<Conjunction>;
 
