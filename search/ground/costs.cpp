@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "parser/diagnostic.hpp"
+#include "search/ground/refuse.hpp"
 
 namespace praxis::grounding {
 
@@ -26,8 +26,7 @@ void CostEvaluator::load(const Expression& expression) {
 }
 
 void CostEvaluator::refuse(const std::string& message) const {
-    const Diagnostic diagnostic{Severity::unsupported, schema_.cost->where, true, message, ""};
-    throw UnsupportedError(to_string(diagnostic, *task_.sources), {diagnostic});
+    grounding::refuse(task_, schema_.cost->where, message);
 }
 
 std::optional<Rational> CostEvaluator::evaluate(const Expression& expression, const Object* binding) {

@@ -6,18 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "parser/diagnostic.hpp"
+#include "search/ground/refuse.hpp"
 #include "search/ground/relevance.hpp"
 #include "search/ground/simplify.hpp"
 #include "search/ground/variables.hpp"
 
 namespace praxis::grounding {
 namespace {
-
-[[noreturn]] void refuse(const LiftedTask& task, Location where, std::string message) {
-    const Diagnostic diagnostic{Severity::unsupported, where, true, std::move(message), ""};
-    throw UnsupportedError(to_string(diagnostic, *task.sources), {diagnostic});
-}
 
 class Encoder {
   public:

@@ -4,12 +4,12 @@
 
 #include <utility>
 
-#include "parser/diagnostic.hpp"
 #include "search/ground/encode.hpp"
 #include "search/ground/instantiate.hpp"
 #include "search/ground/invariants.hpp"
 #include "search/ground/mutex_pruning.hpp"
 #include "search/ground/reach.hpp"
+#include "search/ground/refuse.hpp"
 #include "search/ground/relations.hpp"
 #include "search/ground/simplify.hpp"
 
@@ -45,10 +45,7 @@ std::size_t tuples_of(const grounding::Relations& relations, const std::vector<g
 
 [[noreturn]] void refuse_unstratified(const LiftedTask& task) {
     const Location where = task.axioms.empty() ? task.goal.where : task.axioms.front().where;
-    const Diagnostic diagnostic{Severity::unsupported, where, true,
-                                "the derived predicates depend on their own negation (no stratification)",
-                                ""};
-    throw UnsupportedError(to_string(diagnostic, *task.sources), {diagnostic});
+    grounding::refuse(task, where, "the derived predicates depend on their own negation (no stratification)");
 }
 
 }  // namespace
@@ -85,9 +82,11 @@ GroundResult ground(const LiftedTask& lifted, const GroundOptions& options, cons
 
     MutexGroups groups = find_mutex_groups(propositions, relations, budget.within(options.invariant_seconds));
     if (budget.exhausted() != Stop::none) return out_of_budget();
-    timer.done("invariants", {{"candidates", groups.candidates},
-                              {"invariants", groups.invariants},
-                              {"mutex groups", groups.groups.size()}});
+    std::vector<std::pair<std::string, std::size_t>> counts{{"candidates", groups.candidates},
+                                                            {"invariants", groups.invariants},
+                                                            {"mutex groups", groups.groups.size()}};
+    if (groups.left > 0) counts.emplace_back("candidates left", groups.left);
+    timer.done("invariants", std::move(counts));
 
     prune_with_mutexes(propositions, groups);
     if (budget.exhausted() != Stop::none) return out_of_budget();

@@ -87,7 +87,7 @@ class Search {
         std::vector<Candidate> accepted;
         while (!queue.empty()) {
             if (steps_ > kMostSteps || budget_.exhausted() != Stop::none || seen_.size() >= kMostCandidates) {
-                result_.complete = false;
+                result_.left = queue.size();
                 break;
             }
             const Candidate candidate = std::move(queue.front());

@@ -23,7 +23,7 @@ struct MutexGroups {
     PackedLists<AtomId> groups;  ///< each with two atoms or more, exactly one of them true at first
     std::size_t candidates = 0;  ///< looked at
     std::size_t invariants = 0;  ///< accepted
-    bool complete = true;        ///< all candidates were looked at
+    std::size_t left = 0;        ///< candidates not looked at, since the work or the time was spent
 };
 
 MutexGroups find_mutex_groups(const PropositionTask& task, const Relations& relations, const Budget& budget);

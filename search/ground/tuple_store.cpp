@@ -198,10 +198,4 @@ std::size_t TupleStore::distinct(std::uint32_t column) const {
     return std::max<std::size_t>(values, 1);
 }
 
-std::size_t TupleStore::memory() const {
-    std::size_t entries = rows_.capacity() + dense_.capacity() + slots_.capacity();
-    for (const Index& index : indices_) entries += index.heads.capacity() + index.next.capacity();
-    return entries * sizeof(std::uint32_t);
-}
-
 }  // namespace praxis::grounding

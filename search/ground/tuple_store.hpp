@@ -57,8 +57,6 @@ class TupleStore {
     /// How many different keys an index over one column holds (an estimate before anything is published).
     std::size_t distinct(std::uint32_t column) const;
 
-    std::size_t memory() const;
-
   private:
     struct Index {
         std::vector<std::uint32_t> columns;
