@@ -108,6 +108,12 @@ class Checker {
             case OptionType::open_lists:
                 calls(node, ComponentKind::open_list, true, option.default_value.empty(), result, canonical);
                 break;
+            case OptionType::engine:
+                calls(node, ComponentKind::engine, false, false, result, canonical);
+                break;
+            case OptionType::engines:
+                calls(node, ComponentKind::engine, true, option.default_value.empty(), result, canonical);
+                break;
             default:
                 if (node.kind != SyntaxNode::Kind::word) {
                     fail(node, "option '" + option.name + "' needs " + to_string(option.type));
@@ -220,6 +226,10 @@ std::string to_string(OptionType type) {
             return "open list";
         case OptionType::open_lists:
             return "list of open lists";
+        case OptionType::engine:
+            return "engine";
+        case OptionType::engines:
+            return "list of engines";
     }
     return {};
 }

@@ -17,7 +17,7 @@ struct Call;
 struct Argument {
     std::int64_t integer = 0;  ///< integer; boolean as 0 or 1; choice as index
     double real = 0;
-    std::vector<Call> calls;  ///< evaluators and open lists
+    std::vector<Call> calls;  ///< evaluators, open lists and engines
 };
 
 /// A component with a value for each of its options.

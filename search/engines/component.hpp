@@ -19,6 +19,8 @@ enum class OptionType {
     evaluators,  ///< a list of them
     open_list,
     open_lists,
+    engine,
+    engines,
 };
 
 inline constexpr std::int64_t kInfinity = std::numeric_limits<std::int64_t>::max();

@@ -22,6 +22,7 @@ class EagerSearch {
     Status run() {
         const StateId initial = space_.insert_initial();
         space_.read(initial, child_values_);
+        evaluator_.start(initial, child_values_);
         open_new(initial, false);
         while (!open_->empty()) {
             if (context_.must_stop()) return context_.monitor.status();
@@ -46,8 +47,12 @@ class EagerSearch {
         if (space_.bounded()) {
             std::erase_if(operators_, [&](OperatorId op) { return space_.exceeds_bound(real_cost, op); });
         }
-        if (evaluator_.has_preferred()) mark_preferred(true);
         const std::int64_t g = space_.g(state);
+        if (evaluator_.has_preferred()) {
+            evaluator_.evaluate_preferred(state, values_, g);
+            preferred_operators_ = evaluator_.preferred();
+            mark_preferred(true);
+        }
         const std::span<const OperatorId> all = operators_;
         for (std::size_t begin = 0; begin < all.size(); begin += SearchSpace::kBatch) {
             const auto batch = all.subspan(begin, std::min(SearchSpace::kBatch, all.size() - begin));
@@ -70,10 +75,17 @@ class EagerSearch {
         if (is_new) {
             space_.layout().initialize(space_.node(state), parent, g, real_cost);
             space_.read_successor(values_, op, child_values_);
+            evaluator_.follow(parent, op, state, child_values_);
             open_new(state, preferred);
-        } else if (g < space_.g(state) && space_.status(state) != NodeStatus::dead_end) {
+            return;
+        }
+        const bool cheaper = g < space_.g(state) && space_.status(state) != NodeStatus::dead_end;
+        if (evaluator_.path_dependent() || (cheaper && evaluator_.restores_from_values())) {
+            space_.read_successor(values_, op, child_values_);
+            evaluator_.follow(parent, op, state, child_values_);
+        }
+        if (cheaper) {
             space_.layout().improve(space_.node(state), parent, g, real_cost);
-            if (evaluator_.restores_from_values()) space_.read_successor(values_, op, child_values_);
             open_again(state, preferred);
         }
     }
@@ -81,7 +93,7 @@ class EagerSearch {
     // `child_values_` are those of the state.
     void open_new(StateId state, bool preferred) {
         ++statistics_.evaluated;
-        const bool alive = evaluator_.evaluate(child_values_);
+        const bool alive = evaluator_.evaluate(state, child_values_, space_.g(state));
         const Evaluated evaluated{evaluator_.estimates(), space_.g(state), preferred};
         if (!alive || open_->dead_end(evaluated)) {
             ++statistics_.dead_ends;
@@ -108,10 +120,6 @@ class EagerSearch {
     }
 
     void mark_preferred(bool mark) {
-        if (mark) {
-            evaluator_.evaluate_preferred(values_);
-            preferred_operators_ = evaluator_.preferred();
-        }
         for (OperatorId op : preferred_operators_) preferred_[op.index()] = mark;
     }
 

@@ -165,6 +165,25 @@ std::vector<Component> engine_components() {
         engine("lazy", "best-first search with any open list; evaluates states when their turn comes",
                with_common({open, reopen_option("false"), kPreferred, kRandomize, kPreferredFirst, kSeed}),
                with_open_list<Expansion::lazy>));
+    Component iterated = engine(
+        "iterated", "engines one after the other, each looking for a plan cheaper than those before",
+        {{"searches", OptionType::engines, "", "the engines"},
+         {"first", OptionType::boolean, "false", "end with the first plan"},
+         {"repeat_last", OptionType::boolean, "true", "repeat the last engine as long as it finds plans"},
+         {"improve", OptionType::boolean, "true",
+          "improve each plan by action elimination and plan neighbourhoods"}},
+        nullptr);
+    iterated.composite = run_iterated;
+    all.push_back(std::move(iterated));
+    Component pruned =
+        engine("h2",
+               "an engine on the task without the operators and effects that cannot be part of a "
+               "plan by mutexes of pairs (Alcazar and Torralba 2015)",
+               {{"search", OptionType::engine, "", "the engine"},
+                {"seconds", OptionType::real, "5", "what the search for mutexes may take"}},
+               nullptr);
+    pruned.composite = run_pruned;
+    all.push_back(std::move(pruned));
     return all;
 }
 

@@ -6,6 +6,8 @@
 #include "search/evaluators/hadd.hpp"
 #include "search/evaluators/hmax.hpp"
 #include "search/evaluators/lmcut.hpp"
+#include "search/evaluators/novelty.hpp"
+#include "search/landmarks/landmark_sum.hpp"
 
 namespace praxis {
 
@@ -39,6 +41,74 @@ Component heuristic(std::string name, std::string summary, const Notes& notes) {
         notes.safe,         notes.admissible,
         notes.consistent};
     component.key = heuristic_key<HeuristicEvaluator, kCheap>;
+    return component;
+}
+
+Key landmark_sum_key(const Call& call, Workshop& workshop) {
+    const CostType cost_type = cost_type_of(call);
+    return Key::heuristic(workshop.heuristic(call, cost_type, false, [&] {
+        LandmarkOptions options;
+        options.disjunctive = call.flag("disjunctive");
+        options.reasonable = call.flag("reasonable");
+        options.budget = workshop.budget();
+        return std::make_unique<LandmarkSumEvaluator>(workshop.task(), workshop.goal(),
+                                                      workshop.initial_values(), cost_type, options);
+    }));
+}
+
+Component landmark_sum() {
+    Component component;
+    component.description = {
+        "landmark_sum",
+        ComponentKind::evaluator,
+        "cost of the landmarks still to reach (Richter and Westphal 2010); operators that reach one are "
+        "preferred",
+        {cost_type_option("normal", "how the evaluator counts operator costs"),
+         {"disjunctive", OptionType::boolean, "true", "use landmarks that are one of several facts"},
+         {"reasonable", OptionType::boolean, "true", "use reasonable orderings"}},
+        "supported",
+        "supported (relaxed)",
+        "yes",
+        "no",
+        "no"};
+    component.key = landmark_sum_key;
+    return component;
+}
+
+Key novelty_key(const Call& call, Workshop& workshop) {
+    std::vector<Key> partition = workshop.keys(call["evals"]);
+    NoveltyOptions options;
+    options.width = static_cast<int>(call.integer("width"));
+    options.forget = call.flag("forget");
+    options.memory = static_cast<std::size_t>(call.integer("memory")) << 20;
+    return Key::heuristic(workshop.heuristic(
+        call, CostType::one, false,
+        [&] { return std::make_unique<NoveltyEvaluator>(workshop.task(), options); }, std::move(partition)));
+}
+
+Component novelty() {
+    Component component;
+    component.description = {
+        "novelty",
+        ComponentKind::evaluator,
+        "1 or 2 for a fact or a pair of facts not seen before by states of the same partition, else one more "
+        "than the width (Lipovetzky and Geffner 2017)",
+        {{"evals", OptionType::evaluators, "[]", "states that agree in these are compared"},
+         {"width", OptionType::integer, "2", "largest set of facts to look at", {}, 1, 2},
+         {"forget", OptionType::boolean, "false", "start anew when one of `evals` reaches a new best value"},
+         {"memory",
+          OptionType::integer,
+          "128",
+          "MiB for tables; when full, partitions share them",
+          {},
+          1,
+          1 << 20}},
+        "supported",
+        "supported",
+        "yes",
+        "no",
+        "no"};
+    component.key = novelty_key;
     return component;
 }
 
@@ -81,6 +151,8 @@ std::vector<Component> evaluator_components() {
     all.push_back(heuristic<LMCutEvaluator>("lmcut",
                                             "cost of disjoint landmark cuts (Helmert and Domshlak 2009)",
                                             {"supported (relaxed)", "yes", "yes", "no"}));
+    all.push_back(landmark_sum());
+    all.push_back(novelty());
     all.push_back(arithmetic("g", "cost of the way to the state, as the search counts costs", {},
                              [](const Call&, Workshop&) { return Key::cost_so_far(); }));
     all.push_back(arithmetic(

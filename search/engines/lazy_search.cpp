@@ -21,7 +21,10 @@ class LazySearch {
           is_preferred_(evaluator_.has_preferred() ? space_.task().operator_count() : 0, false) {}
 
     Status run() {
-        if (!visit(space_.insert_initial())) return finished();
+        const StateId initial = space_.insert_initial();
+        space_.read(initial, values_);
+        evaluator_.start(initial, values_);
+        if (!visit(initial)) return finished();
         while (!open_->empty()) {
             if (context_.must_stop()) return context_.monitor.status();
             const DeferredEntry entry = open_->pop();
@@ -33,6 +36,10 @@ class LazySearch {
             }
             const auto [state, is_new] = space_.successor(entry.parent, entry.op, parent_values_.data());
             const std::int64_t g = space_.g(entry.parent) + space_.cost(entry.op);
+            if (is_new || evaluator_.path_dependent()) {
+                space_.read(state, values_);
+                evaluator_.follow(entry.parent, entry.op, state, values_);
+            }
             const std::int64_t cost = real_cost + space_.task().costs[entry.op.index()];
             if (is_new) {
                 space_.layout().initialize(space_.node(state), entry.parent, g, cost);
@@ -40,6 +47,7 @@ class LazySearch {
                        space_.status(state) != NodeStatus::dead_end) {
                 ++statistics_.reopened;
                 space_.layout().improve(space_.node(state), entry.parent, g, cost);
+                space_.read(state, values_);
             } else {
                 continue;
             }
@@ -51,16 +59,16 @@ class LazySearch {
   private:
     Status finished() const { return context_.goal ? Status::solved : context_.monitor.status(); }
 
-    /// Evaluates a state and files its successors. False: the search is over.
+    /// Evaluates a state, of which `values_` are the values, and files its successors. False: the search is
+    /// over.
     bool visit(StateId state) {
-        space_.read(state, values_);
         if (space_.goal_holds(values_)) {
             context_.goal = state;
             return false;
         }
         ++statistics_.evaluated;
-        const bool alive = evaluator_.evaluate(values_);
         const std::int64_t g = space_.g(state);
+        const bool alive = evaluator_.evaluate(state, values_, g);
         if (!alive || open_->dead_end({evaluator_.estimates(), g, false})) {
             ++statistics_.dead_ends;
             if (alive) context_.complete = false;

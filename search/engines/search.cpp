@@ -1,5 +1,6 @@
 #include "search/engines/search.hpp"
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
@@ -32,27 +33,6 @@ void check(const FiniteDomainTask& task, const Query& query) {
             throw std::invalid_argument("the query's goal has a fact that the task does not have");
         }
     }
-}
-
-void run(const PreparedTask::Parts& parts, const Query& query, const Call& call,
-         const Configuration& configuration, const Budget& budget, const SearchCallbacks& callbacks,
-         Outcome& outcome) {
-    Workshop workshop(*parts.task, query.goal, configuration.seed);
-    const SearchPlan plan = workshop.search_plan(call);
-    const Budget own = plan.max_time < 1e9 ? budget.within(plan.max_time) : budget;
-    SearchContext context(parts, query, plan, workshop.take_heuristics(), own, callbacks);
-    try {
-        outcome.status = plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
-        if (context.goal) {
-            outcome.plan = context.space.plan_to(*context.goal);
-            outcome.cost = context.space.cost_of(*outcome.plan);
-            outcome.optimal = plan.optimal;
-        }
-    } catch (const std::bad_alloc&) {
-        outcome.status = Status::out_of_memory;
-    }
-    context.monitor.finish(context.space, context.evaluator);
-    outcome.statistics = context.monitor.statistics;
 }
 
 }  // namespace
@@ -94,11 +74,37 @@ Configuration alias(const std::string& name) {
                                 " (there are: " + all + ")");
 }
 
-std::vector<AliasDescription> list_aliases() {
-    return {{"agile",
-             "lazy_greedy([ff(cost_type=one),goalcount()],preferred=[ff(cost_type=one)],cost_type=one)",
-             "the first plan, as fast as possible"},
-            {"optimal", "astar(lmcut())", "a cheapest plan"}};
+Outcome run_engine(const SearchRun& run, const Call& call) {
+    if (call.component->composite != nullptr) return call.component->composite(run, call);
+    const PreparedTask::Parts& parts = run.prepared.parts();
+    Outcome outcome;
+    try {
+        Workshop workshop(*parts.task, run.query, run.seed, run.budget);
+        SearchPlan plan = workshop.search_plan(call);
+        plan.bound = std::min(plan.bound, run.bound);
+        const Budget own = plan.max_time < 1e9 ? run.budget.within(plan.max_time) : run.budget;
+        SearchContext context(parts, run.query, plan, workshop.take_heuristics(), own, run.callbacks);
+        try {
+            outcome.status =
+                plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
+            if (context.goal) {
+                outcome.plan = context.space.plan_to(*context.goal);
+                outcome.cost = context.space.cost_of(*outcome.plan);
+                outcome.optimal = plan.optimal;
+            }
+            outcome.no_cheaper_plan = outcome.status == Status::unsolvable ||
+                                      (outcome.status == Status::failed && context.complete &&
+                                       plan.reopen_closed && plan.cost_type == CostType::normal);
+        } catch (const std::bad_alloc&) {
+            outcome.status = Status::out_of_memory;
+        }
+        context.monitor.finish(context.space, context.evaluator);
+        outcome.statistics = context.monitor.statistics;
+    } catch (const std::bad_alloc&) {
+        outcome.status = Status::out_of_memory;
+    }
+    if (outcome.plan && run.callbacks.on_plan) run.callbacks.on_plan(*outcome.plan, outcome.cost);
+    return outcome;
 }
 
 Outcome search(const PreparedTask& prepared, const Query& query, const Configuration& configuration,
@@ -115,13 +121,8 @@ Outcome search(const PreparedTask& prepared, const Query& query, const Configura
         outcome.status = Status::unsolvable_early;
         return outcome;
     }
-    try {
-        run(prepared.parts(), query, call, configuration, budget, callbacks, outcome);
-    } catch (const std::bad_alloc&) {
-        outcome.status = Status::out_of_memory;
-    }
+    outcome = run_engine({prepared, query, configuration.seed, budget, callbacks, kInfinity}, call);
     outcome.statistics.peak_memory = peak_memory();
-    if (outcome.plan && callbacks.on_plan) callbacks.on_plan(*outcome.plan, outcome.cost);
     return outcome;
 }
 

@@ -61,10 +61,13 @@ struct Outcome {
     std::optional<std::vector<OperatorId>> plan;
     std::int64_t cost = 0;  ///< of the plan, by `FiniteDomainTask::costs`
     bool optimal = false;   ///< the search proved that no plan is cheaper
+    /// There is no plan below the bound that the search was given (`optimal` says so of a plan).
+    bool no_cheaper_plan = false;
     SearchStatistics statistics;
 };
 
 struct SearchCallbacks {
+    /// Each better plan, as found.
     std::function<void(std::span<const OperatorId> plan, std::int64_t cost)> on_plan;
     std::function<void(const SearchStatistics&)> on_progress;
 };

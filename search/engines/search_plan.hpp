@@ -10,6 +10,7 @@
 #include "search/engines/call.hpp"
 #include "search/engines/key.hpp"
 #include "search/engines/open_list.hpp"
+#include "search/engines/search_run.hpp"
 #include "search/evaluators/evaluator.hpp"
 #include "search/task/finite_domain_task.hpp"
 
@@ -41,13 +42,14 @@ struct Heuristic {
     CostType cost_type = CostType::normal;
     bool cheap = false;  ///< evaluating again costs less than remembering
     std::string canonical;
+    std::vector<Key> given = {};  ///< what the evaluator is told of each state before it evaluates it
 };
 
 /// Turns a checked expression into a plan and its heuristics; equal calls share one heuristic.
 class Workshop {
   public:
-    Workshop(const FiniteDomainTask& task, const std::vector<Fact>& goal, std::uint64_t seed)
-        : task_(&task), goal_(&goal), seed_(seed) {}
+    Workshop(const FiniteDomainTask& task, const Query& query, std::uint64_t seed, const Budget& budget)
+        : task_(&task), query_(&query), seed_(seed), budget_(budget) {}
 
     SearchPlan search_plan(const Call& call);
     Key key(const Call& call);
@@ -59,16 +61,19 @@ class Workshop {
 
     /// The number of the heuristic that `call` stands for, made by `make` if it is new.
     template <class Make>
-    std::size_t heuristic(const Call& call, CostType cost_type, bool cheap, const Make& make) {
+    std::size_t heuristic(const Call& call, CostType cost_type, bool cheap, const Make& make,
+                          std::vector<Key> given = {}) {
         for (std::size_t i = 0; i < heuristics_.size(); ++i) {
             if (heuristics_[i].canonical == call.canonical) return i;
         }
-        heuristics_.push_back({make(), cost_type, cheap, call.canonical});
+        heuristics_.push_back({make(), cost_type, cheap, call.canonical, std::move(given)});
         return heuristics_.size() - 1;
     }
 
     const FiniteDomainTask& task() const { return *task_; }
-    const std::vector<Fact>& goal() const { return *goal_; }
+    const std::vector<Fact>& goal() const { return query_->goal; }
+    const std::vector<std::int32_t>& initial_values() const { return query_->initial_values; }
+    const Budget& budget() const { return budget_; }
     std::uint64_t seed() const { return seed_; }
     /// The key never exceeds the real cost of a way to the goal.
     bool admissible(const Key& key) const;
@@ -76,8 +81,9 @@ class Workshop {
 
   private:
     const FiniteDomainTask* task_;
-    const std::vector<Fact>* goal_;
+    const Query* query_;
     std::uint64_t seed_;
+    Budget budget_;
     std::vector<Heuristic> heuristics_;
 };
 
@@ -87,6 +93,8 @@ struct Component {
     Key (*key)(const Call& call, Workshop& workshop) = nullptr;
     OpenListPlan (*open_list)(const Call& call, Workshop& workshop) = nullptr;
     SearchPlan (*search_plan)(const Call& call, Workshop& workshop) = nullptr;
+    /// For engines that are made of others, instead of `search_plan`.
+    Outcome (*composite)(const SearchRun& run, const Call& call) = nullptr;
 };
 
 std::vector<Component> evaluator_components();

@@ -9,18 +9,41 @@ StateEvaluator::StateEvaluator(std::vector<Heuristic> heuristics, const SearchPl
       estimates_(heuristics_.size(), 0),
       best_(heuristics_.size(), kDeadEnd) {
     for (std::size_t i : preferred_from_) heuristics_[i].evaluator->request_preferred();
-    for (const Heuristic& heuristic : heuristics_) safe_.push_back(heuristic.evaluator->safe());
+    for (const Heuristic& heuristic : heuristics_) {
+        safe_.push_back(heuristic.evaluator->safe());
+        if (heuristic.evaluator->path_dependent()) path_dependent_.push_back(heuristic.evaluator.get());
+    }
     if (plan.expansion == Expansion::eager && (plan.reopen_closed || uses_g(plan.open))) {
         for (std::size_t i : in_open_list_) (heuristics_[i].cheap ? cheap_ : remembered_).push_back(i);
     }
 }
 
-bool StateEvaluator::evaluate(std::span<const std::int32_t> values) {
+void StateEvaluator::start(StateId initial, std::span<const std::int32_t> values) {
+    for (Evaluator* evaluator : path_dependent_) evaluator->start(initial, values);
+}
+
+void StateEvaluator::follow(StateId parent, OperatorId op, StateId child,
+                            std::span<const std::int32_t> values) {
+    for (Evaluator* evaluator : path_dependent_) evaluator->follow(parent, op, child, values);
+}
+
+bool StateEvaluator::evaluate(StateId state, std::span<const std::int32_t> values, std::int64_t g) {
+    for (Evaluator* evaluator : path_dependent_) evaluator->at(state);
     for (std::size_t i = 0; i < heuristics_.size(); ++i) {
-        estimates_[i] = heuristics_[i].evaluator->evaluate(values);
+        estimates_[i] = estimate(i, values, g);
         if (estimates_[i] == kDeadEnd && safe_[i]) return false;
     }
     return true;
+}
+
+Estimate StateEvaluator::estimate(std::size_t i, std::span<const std::int32_t> values, std::int64_t g) {
+    const Heuristic& heuristic = heuristics_[i];
+    if (!heuristic.given.empty()) {
+        given_.clear();
+        for (const Key& key : heuristic.given) given_.push_back(key.value({estimates_, g, false}));
+        heuristic.evaluator->given(given_);
+    }
+    return heuristic.evaluator->evaluate(values);
 }
 
 bool StateEvaluator::progress() {
@@ -57,8 +80,9 @@ const std::vector<OperatorId>& StateEvaluator::preferred() {
     return preferred_;
 }
 
-void StateEvaluator::evaluate_preferred(std::span<const std::int32_t> values) {
-    for (std::size_t i : preferred_from_) estimates_[i] = heuristics_[i].evaluator->evaluate(values);
+void StateEvaluator::evaluate_preferred(StateId state, std::span<const std::int32_t> values, std::int64_t g) {
+    for (Evaluator* evaluator : path_dependent_) evaluator->at(state);
+    for (std::size_t i : preferred_from_) estimates_[i] = estimate(i, values, g);
 }
 
 void StateEvaluator::remember(const NodeLayout& layout, std::uint32_t* node) const {

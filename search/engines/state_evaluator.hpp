@@ -15,9 +15,16 @@ class StateEvaluator {
   public:
     StateEvaluator(std::vector<Heuristic> heuristics, const SearchPlan& plan);
 
-    /// Estimates a complete state. False: a safe heuristic says that no plan starts here, and some estimates
-    /// are not made.
-    bool evaluate(std::span<const std::int32_t> values);
+    /// Some heuristic must see every transition.
+    bool path_dependent() const { return !path_dependent_.empty(); }
+    /// The search starts here; the complete values of the state.
+    void start(StateId initial, std::span<const std::int32_t> values);
+    /// The search makes a transition; the complete values of `child`.
+    void follow(StateId parent, OperatorId op, StateId child, std::span<const std::int32_t> values);
+
+    /// Estimates a complete state reached at cost `g`. False: a safe heuristic says that no plan starts here,
+    /// and some estimates are not made.
+    bool evaluate(StateId state, std::span<const std::int32_t> values, std::int64_t g);
     /// Of the state last evaluated or restored, by heuristic.
     std::span<const Estimate> estimates() const { return estimates_; }
     /// Some heuristic of the open list has never been as low as in the state last evaluated.
@@ -30,7 +37,7 @@ class StateEvaluator {
     const std::vector<OperatorId>& preferred();
     bool has_preferred() const { return !preferred_from_.empty(); }
     /// Evaluates only the heuristics that prefer operators.
-    void evaluate_preferred(std::span<const std::int32_t> values);
+    void evaluate_preferred(StateId state, std::span<const std::int32_t> values, std::int64_t g);
 
     /// How many estimates `remember` writes into a node.
     std::size_t remembered() const { return remembered_.size(); }
@@ -41,7 +48,11 @@ class StateEvaluator {
     bool restores_from_values() const { return !cheap_.empty(); }
 
   private:
+    Estimate estimate(std::size_t i, std::span<const std::int32_t> values, std::int64_t g);
+
     std::vector<Heuristic> heuristics_;
+    std::vector<Evaluator*> path_dependent_;
+    std::vector<std::int64_t> given_;
     std::vector<std::size_t> in_open_list_;
     std::vector<std::size_t> preferred_from_;
     std::vector<std::size_t> remembered_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "search/state/ids.hpp"
 #include "search/task/ids.hpp"
 
 namespace praxis {
@@ -32,6 +33,20 @@ class Evaluator {
     /// `state` is complete. Costs at least the work of one virtual call: never call it more than once a
     /// state.
     virtual Estimate evaluate(StateView state) = 0;
+
+    /// A path-dependent evaluator keeps something for each state about the ways to it. The search then says
+    /// where it starts and which transitions it makes, also those to states it knows already, and before it
+    /// evaluates a state that it is about to. Parents were children before, or the start.
+    virtual bool path_dependent() const { return false; }
+    virtual void start(StateId /*initial*/, StateView /*state*/) {}
+    /// `op` leads from `parent` to `child`, whose complete values are `state`.
+    virtual void follow(StateId /*parent*/, OperatorId /*op*/, StateId /*child*/, StateView /*state*/) {}
+    /// The next call of `evaluate` is about this state.
+    virtual void at(StateId /*state*/) {}
+
+    /// What the search's other evaluators say of the state that is evaluated next, for evaluators that build
+    /// on others.
+    virtual void given(std::span<const std::int64_t> /*values*/) {}
 
     /// Preferred operators of the state last evaluated, in no particular order, without repetition; valid
     /// until the next call. Computed only after `request_preferred()`.

@@ -80,7 +80,8 @@ TEST(Expression, EqualEvaluatorsAreShared) {
     FiniteDomainTask task;
     test::add_variable(task, 2, 0);
     test::add_operator(task, {}, {{{0, 1}, {}}});
-    Workshop workshop(task, task.goal, 0);
+    const Query query = task_query(task);
+    Workshop workshop(task, query, 0, {});
     workshop.search_plan(
         check_expression("lazy_greedy([goalcount(), sum([g(), GoalCount(cost_type=normal)]), "
                          "blind()],preferred=[goalcount(normal)])"));

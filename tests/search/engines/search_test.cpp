@@ -83,7 +83,13 @@ TEST(Engines, FindPlansExactlyWhereThereAreSome) {
           "lazy(tiebreaking([goalcount(),g()]),reopen_closed=true)",
           "eager_greedy([ff()],preferred=[ff()],boost=10)", "eager_greedy([goalcount(),add()])",
           "eager_wastar([add()],w=2)", "eager_wastar([goalcount()],w=2,cost_type=one)",
-          "eager(alt([single(ff()),type_based([g(),goalcount()])]))", "eager(single(g()))"}) {
+          "eager(alt([single(ff()),type_based([g(),goalcount()])]))", "eager(single(g()))",
+          "lazy_greedy([landmark_sum(),ff()],preferred=[ff(),landmark_sum()])",
+          "eager_greedy([landmark_sum(cost_type=plusone)],preferred=[landmark_sum(cost_type=plusone)])",
+          "lazy(tiebreaking([novelty([goalcount()]),goalcount()]))",
+          "lazy(alt([single(ff()),single(novelty([ff(),g()],width=1,forget=true))]),preferred=[ff()])",
+          "eager(tiebreaking([novelty([],memory=1),ff()]))", "h2(lazy_greedy([ff()],preferred=[ff()]))",
+          "iterated([h2(lazy_greedy([goalcount()]),seconds=1),lazy_greedy([ff()])],first=true)"}) {
         EXPECT_TRUE(rc::check(expression, [=] {
             const FiniteDomainTask task = arbitrary_task();
             const std::int64_t best = test::cheapest_plan_cost(task);
@@ -96,6 +102,37 @@ TEST(Engines, FindPlansExactlyWhereThereAreSome) {
                 const std::int64_t cost = test::execute(task, *outcome.plan);
                 RC_ASSERT(cost >= best);
                 RC_ASSERT(outcome.cost == cost);
+            }
+        }));
+    }
+}
+
+TEST(Iterated, EndsWithACheapestPlan) {
+    for (const char* expression :
+         {"iterated([lazy_greedy([ff(cost_type=one)],cost_type=one),lazy_wastar([ff()],w=3),lazy_wastar([ff()"
+          "])])",
+          "iterated([eager_greedy([goalcount()]),astar(blind())],improve=false)",
+          "h2(iterated([lazy_greedy([landmark_sum()]),eager_wastar([landmark_sum()],w=1)]))"}) {
+        EXPECT_TRUE(rc::check(expression, [=] {
+            const FiniteDomainTask task = arbitrary_task();
+            const std::int64_t best = test::cheapest_plan_cost(task);
+            std::vector<std::int64_t> costs;
+            SearchCallbacks callbacks;
+            callbacks.on_plan = [&](std::span<const OperatorId> plan, std::int64_t cost) {
+                RC_ASSERT(test::execute(task, {plan.begin(), plan.end()}) == cost);
+                costs.push_back(cost);
+            };
+            const Outcome outcome = run(task, expression, {}, callbacks);
+            if (best < 0) {
+                RC_ASSERT(outcome.status == Status::unsolvable || outcome.status == Status::failed);
+                RC_ASSERT(costs.empty());
+            } else {
+                RC_ASSERT(outcome.status == Status::solved);
+                RC_ASSERT(outcome.optimal || best == 0);
+                RC_ASSERT(outcome.cost == best);
+                RC_ASSERT(costs.back() == best);
+                RC_ASSERT(std::is_sorted(costs.rbegin(), costs.rend()));
+                RC_ASSERT(std::adjacent_find(costs.begin(), costs.end()) == costs.end());
             }
         }));
     }

@@ -1,0 +1,54 @@
+// The configurations that have names.
+#include "search/engines/registry.hpp"
+
+namespace praxis {
+
+namespace {
+
+/// Puts evaluators for `FF` and `LM` into an expression.
+std::string with_evaluators(std::string expression, const std::string& cost_type) {
+    const auto replace = [&](std::string_view word, const std::string& text) {
+        for (std::size_t at = 0; (at = expression.find(word, at)) != std::string::npos; at += text.size())
+            expression.replace(at, word.size(), text);
+    };
+    replace("FF", "ff(cost_type=" + cost_type + ")");
+    replace("LM", "landmark_sum(cost_type=" + cost_type + ")");
+    return expression;
+}
+
+/// FF and landmarks with their preferred operators as in LAMA, beside them a queue that prefers states with
+/// new pairs of facts and forgets what it has seen on progress, and one for diversity.
+std::string diverse_greedy() {
+    return with_evaluators(
+        "lazy(alt([single(FF),single(FF,pref_only=true),single(LM),single(LM,pref_only=true),"
+        "type_based([FF,g()]),tiebreaking([novelty([FF,LM],forget=true),LM])],boost=1000),"
+        "preferred=[FF,LM],cost_type=one)",
+        "one");
+}
+
+std::string lama_first() {
+    return with_evaluators("lazy_greedy([FF,LM],preferred=[FF,LM],cost_type=one)", "one");
+}
+
+/// What LAMA does after its first plan (Richter and Westphal 2010).
+std::string lama_rest() {
+    std::string rest = "lazy_greedy([FF,LM],preferred=[FF,LM])";
+    for (const char* weight : {"5", "3", "2", "1"})
+        rest += std::string(",lazy_wastar([FF,LM],preferred=[FF,LM],w=") + weight + ")";
+    return with_evaluators(rest, "plusone");
+}
+
+}  // namespace
+
+std::vector<AliasDescription> list_aliases() {
+    return {{"agile", "h2(" + diverse_greedy() + ",seconds=2)",
+             "the first plan, as fast as possible: landmarks, FF, novelty and random types in turn"},
+            {"anytime", "h2(iterated([" + diverse_greedy() + "," + lama_rest() + "]),seconds=2)",
+             "the first plan soon, then better and better ones until the time is up"},
+            {"lama-first", lama_first(), "LAMA's first search, for comparison"},
+            {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],improve=false)",
+             "LAMA's sequence of searches, for comparison"},
+            {"optimal", "astar(lmcut())", "a cheapest plan"}};
+}
+
+}  // namespace praxis

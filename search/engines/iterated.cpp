@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <chrono>
+
+#include "search/engines/search_plan.hpp"
+#include "search/improve/improve_plan.hpp"
+
+namespace praxis {
+
+namespace {
+
+class Iterated {
+  public:
+    Iterated(const SearchRun& run, const Call& call)
+        : run_(run),
+          engines_(call["searches"].calls),
+          first_(call.flag("first")),
+          repeat_last_(call.flag("repeat_last")),
+          improve_(call.flag("improve")) {}
+
+    Outcome operator()() {
+        for (std::size_t next = 0; next < engines_.size();) {
+            const std::int64_t bound = best_.plan ? std::min(best_.cost, run_.bound) : run_.bound;
+            const SearchCallbacks progress{{}, run_.callbacks.on_progress};
+            const bool last = next + 1 == engines_.size();
+            const Budget share =
+                best_.plan && !last ? run_.budget.within(std::max(kLeastSeconds, elapsed())) : run_.budget;
+            Outcome outcome =
+                run_engine({run_.prepared, run_.query, run_.seed, share, progress, bound}, engines_[next]);
+            add(outcome.statistics);
+            best_.status = outcome.status;
+            if (outcome.plan) {
+                take(std::move(outcome));
+            } else if (outcome.status == Status::unsolvable && !best_.plan) {
+                return best_;
+            } else if (outcome.no_cheaper_plan) {
+                best_.optimal = true;
+            }
+            if (run_.budget.exhausted() != Stop::none) break;
+            if (best_.optimal || (best_.plan && (first_ || best_.cost == 0))) break;
+            const bool found = outcome.status == Status::solved;
+            if (!last || !repeat_last_ || !found) ++next;
+        }
+        if (best_.plan && run_.budget.exhausted() == Stop::none) best_.status = Status::solved;
+        return best_;
+    }
+
+  private:
+    void take(Outcome outcome) {
+        if (best_.plan && outcome.cost >= best_.cost) return;
+        report(std::move(*outcome.plan), outcome.cost);
+        best_.optimal = outcome.optimal;
+        if (!improve_ || first_ || best_.optimal || run_.budget.exhausted() != Stop::none) return;
+        std::vector<OperatorId> better =
+            improve_plan(run_.prepared, run_.query, *best_.plan,
+                         run_.budget.within(std::max(kLeastSeconds, elapsed() / 2)));
+        std::int64_t cost = 0;
+        for (const OperatorId op : better) cost += run_.prepared.task().costs[op.index()];
+        if (cost < best_.cost) report(std::move(better), cost);
+    }
+
+    void report(std::vector<OperatorId> plan, std::int64_t cost) {
+        best_.plan = std::move(plan);
+        best_.cost = cost;
+        if (run_.callbacks.on_plan) run_.callbacks.on_plan(*best_.plan, cost);
+    }
+
+    /// Counters add up; what describes one search is that of the last.
+    void add(const SearchStatistics& last) {
+        SearchStatistics sum = best_.statistics;
+        sum.seconds += last.seconds;
+        sum.expanded += last.expanded;
+        sum.evaluated += last.evaluated;
+        sum.generated += last.generated;
+        sum.reopened += last.reopened;
+        sum.dead_ends += last.dead_ends;
+        sum.registered_states = last.registered_states;
+        sum.bytes_per_state = last.bytes_per_state;
+        sum.best_estimate = last.best_estimate;
+        best_.statistics = sum;
+    }
+
+    /// A search for a cheaper plan, and the improvement of one, may take this long, or as long (half as long)
+    /// as all before together, if that is more.
+    static constexpr double kLeastSeconds = 2;
+    double elapsed() const { return std::chrono::duration<double>(Budget::Clock::now() - start_).count(); }
+
+    const SearchRun& run_;
+    const std::vector<Call>& engines_;
+    const Budget::Clock::time_point start_ = Budget::Clock::now();
+    bool first_;
+    bool repeat_last_;
+    bool improve_;
+    Outcome best_;
+};
+
+}  // namespace
+
+Outcome run_iterated(const SearchRun& run, const Call& call) {
+    return Iterated(run, call)();
+}
+
+}  // namespace praxis

@@ -1,0 +1,28 @@
+// What engines that are made of other engines hand down to them.
+#pragma once
+
+#include "search/engines/search.hpp"
+
+namespace praxis {
+
+struct Call;
+
+struct SearchRun {
+    const PreparedTask& prepared;
+    const Query& query;
+    std::uint64_t seed;
+    const Budget& budget;
+    const SearchCallbacks& callbacks;
+    std::int64_t bound;                ///< plans cost less, by the task's costs
+};
+
+/// Runs an engine. The outcome has the best plan found, whatever ended the search.
+Outcome run_engine(const SearchRun& run, const Call& call);
+
+/// Engines one after the other, each looking for a cheaper plan than those before (iterated.cpp).
+Outcome run_iterated(const SearchRun& run, const Call& call);
+
+/// An engine on the task without what h2 shows to be useless (pruned.cpp).
+Outcome run_pruned(const SearchRun& run, const Call& call);
+
+}  // namespace praxis
