@@ -16,14 +16,30 @@ std::string with_evaluators(std::string expression, const std::string& cost_type
     return expression;
 }
 
-/// FF and landmarks with their preferred operators as in LAMA, beside them a queue that prefers states with
-/// new pairs of facts and forgets what it has seen on progress, and one for diversity.
+/// LAMA's queues without that of landmarks alone, and one of states with new pairs of facts (NOLAN; Correa
+/// and Seipp 2025).
+std::string focused_greedy(const std::string& options) {
+    return with_evaluators(
+        "lazy(alt([single(FF),single(FF,pref_only=true),single(LM,pref_only=true),"
+        "tiebreaking([novelty([LM,FF]),LM,g()])],boost=1000),preferred=[FF,LM],cost_type=one" +
+            options + ")",
+        "one");
+}
+
+/// LAMA's queues, one of states with new pairs of facts, which forgets what it has seen on progress, and one
+/// of random types of states.
 std::string diverse_greedy() {
     return with_evaluators(
         "lazy(alt([single(FF),single(FF,pref_only=true),single(LM),single(LM,pref_only=true),"
         "type_based([FF,g()]),tiebreaking([novelty([FF,LM],forget=true),LM])],boost=1000),"
         "preferred=[FF,LM],cost_type=one)",
         "one");
+}
+
+/// A short focused search; then, on the pruned task, a diverse one.
+std::string first_plan() {
+    return "iterated([" + focused_greedy(",max_time=5") + ",h2(" + diverse_greedy() +
+           ",seconds=2)],first=true)";
 }
 
 std::string lama_first() {
@@ -41,9 +57,11 @@ std::string lama_rest() {
 }  // namespace
 
 std::vector<AliasDescription> list_aliases() {
-    return {{"agile", "h2(" + diverse_greedy() + ",seconds=2)",
-             "the first plan, as fast as possible: landmarks, FF, novelty and random types in turn"},
-            {"anytime", "h2(iterated([" + diverse_greedy() + "," + lama_rest() + "]),seconds=2)",
+    return {{"agile", first_plan(),
+             "the first plan, as fast as possible: landmarks, FF and novelty; after five seconds mutexes of "
+             "pairs "
+             "and more diversity"},
+            {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
              "the first plan soon, then better and better ones until the time is up"},
             {"lama-first", lama_first(), "LAMA's first search, for comparison"},
             {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],improve=false)",

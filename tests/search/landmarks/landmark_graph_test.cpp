@@ -16,6 +16,8 @@ namespace {
 
 using test::State;
 
+constexpr int kTasks = 20;  ///< in each run of a property; they are quick
+
 /// Visits all states that can be reached without leaving `inside`, and all steps from them.
 void explore(const FiniteDomainTask& task, const std::function<bool(const State&)>& inside,
              const std::function<void(const State&)>& visit,
@@ -40,32 +42,37 @@ void explore(const FiniteDomainTask& task, const std::function<bool(const State&
     }
 }
 
-/// Many operators that need one or two facts and reach one, all variables 0 at first: rich in landmarks,
-/// disjunctive ones among them.
+/// All variables are 0 at first; each other fact has one to three operators, that need facts of smaller
+/// values: rich in landmarks, disjunctive ones among them.
 FiniteDomainTask random_steps() {
     FiniteDomainTask task;
     task.first_fact = {0};
     const std::int32_t variables = 3 + test::pick(3);
     for (std::int32_t v = 0; v < variables; ++v) {
-        task.domain_sizes.push_back(2 + test::pick(3));
+        task.domain_sizes.push_back(3 + test::pick(2));
         task.axiom_layers.push_back(-1);
         task.initial_values.push_back(0);
         task.first_fact.push_back(task.first_fact.back() +
                                   static_cast<std::uint32_t>(task.domain_sizes.back()));
     }
     task.conditions.close();
-    const auto nonzero = [&] {
-        const std::int32_t variable = test::pick(variables);
-        return Fact{variable, 1 + test::pick(task.domain_sizes[static_cast<std::size_t>(variable)] - 1)};
-    };
-    for (std::int32_t count = 5 + test::pick(16); count > 0; --count) {
-        std::vector<Fact> precondition = test::random_condition(task, variables, 2);
-        if (precondition.empty()) precondition.push_back(nonzero());
-        task.preconditions.append(precondition);
-        task.effects.append(std::vector<GroundEffect>{{nonzero(), 0}});
-        task.costs.push_back(1);
+    for (std::int32_t v = 0; v < variables; ++v) {
+        for (std::int32_t value = 1; value < task.domain_sizes[static_cast<std::size_t>(v)]; ++value) {
+            for (std::int32_t count = 1 + test::pick(3); count > 0; --count) {
+                std::vector<Fact> precondition;
+                for (std::int32_t other = 0; other < variables; ++other) {
+                    if (test::pick(other == v ? 2 : variables) == 0) {
+                        precondition.push_back({other, std::max(0, value - 1 - test::pick(2))});
+                    }
+                }
+                task.preconditions.append(precondition);
+                task.effects.append(std::vector<GroundEffect>{{{v, value}, 0}});
+                task.costs.push_back(1);
+            }
+        }
     }
-    task.goal = {nonzero()};
+    const std::int32_t last = test::pick(variables);
+    task.goal = {{last, task.domain_sizes[static_cast<std::size_t>(last)] - 1}};
     return task;
 }
 
@@ -89,7 +96,7 @@ LandmarkOptions random_options() {
     return options;
 }
 
-RC_GTEST_PROP(LandmarkGraph, NoPlanAvoidsALandmark, ()) {
+void check_landmarks() {
     const FiniteDomainTask task = random_task();
     const LandmarkGraph graph = make_landmark_graph(task, task.goal, task.initial_values, random_options());
     const State initial = test::initial_state(task);
@@ -112,7 +119,11 @@ RC_GTEST_PROP(LandmarkGraph, NoPlanAvoidsALandmark, ()) {
     }
 }
 
-RC_GTEST_PROP(LandmarkGraph, EveryPathObeysTheOrderings, ()) {
+RC_GTEST_PROP(LandmarkGraph, NoPlanAvoidsALandmark, ()) {
+    for (int i = 0; i < kTasks; ++i) check_landmarks();
+}
+
+void check_orderings() {
     const FiniteDomainTask task = random_task();
     const LandmarkGraph graph = make_landmark_graph(task, task.goal, task.initial_values, random_options());
     for (std::size_t after = 0; after < graph.size(); ++after) {
@@ -137,7 +148,11 @@ RC_GTEST_PROP(LandmarkGraph, EveryPathObeysTheOrderings, ()) {
     }
 }
 
-RC_GTEST_PROP(LandmarkGraph, FirstAchieversAreAllThatCanBe, ()) {
+RC_GTEST_PROP(LandmarkGraph, EveryPathObeysTheOrderings, ()) {
+    for (int i = 0; i < kTasks; ++i) check_orderings();
+}
+
+void check_first_achievers() {
     const FiniteDomainTask task = random_task();
     const LandmarkGraph graph = make_landmark_graph(task, task.goal, task.initial_values, random_options());
     for (std::size_t landmark = 0; landmark < graph.size(); ++landmark) {
@@ -155,6 +170,10 @@ RC_GTEST_PROP(LandmarkGraph, FirstAchieversAreAllThatCanBe, ()) {
                 RC_ASSERT(found);
             });
     }
+}
+
+RC_GTEST_PROP(LandmarkGraph, FirstAchieversAreAllThatCanBe, ()) {
+    for (int i = 0; i < kTasks; ++i) check_first_achievers();
 }
 
 /// A truck moves along 0 - 1 - 2 - 3 (variable 0); a package (variable 1: at 0 to 3, or 4: in the truck).
