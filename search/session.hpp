@@ -6,8 +6,9 @@
 //     if (result.plan) std::cout << praxis::to_string(*result.plan, *task);
 //
 // Sessions are independent of each other and may run on different threads; one session belongs to one thread
-// at a time. The same task, configuration and seed give the same plan. Input errors are praxis::InputError
-// (from `load`); wrong use is std::invalid_argument; a search that fails is a status.
+// at a time. The same task, configuration and seed give the same plan, if the clock ends no part of the search.
+// Input errors are praxis::InputError (from `load`); wrong use is std::invalid_argument; a search that fails is
+// a status.
 #pragma once
 
 #include <cstdint>
