@@ -13,7 +13,7 @@ struct SearchRun {
     std::uint64_t seed;
     const Budget& budget;
     const SearchCallbacks& callbacks;
-    std::int64_t bound;                ///< plans cost less, by the task's costs
+    std::int64_t bound;  ///< plans cost less, by the task's costs
 };
 
 /// Runs an engine. The outcome has the best plan found, whatever ended the search.

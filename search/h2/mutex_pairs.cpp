@@ -125,8 +125,7 @@ PairSteps MutexPairs::forward_steps() const {
             std::vector<std::uint32_t> all = numbers(task_.conditions[effect.condition]);
             all.insert(all.end(), needs.begin(), needs.end());
             std::ranges::sort(all);
-            const auto repeated = std::ranges::unique(all);
-            all.erase(repeated.begin(), repeated.end());
+            all.erase(std::unique(all.begin(), all.end()), all.end());
             steps.needs.append(all);
             const auto variable = static_cast<std::uint32_t>(effect.fact.variable);
             steps.changes.add(variable);

@@ -18,10 +18,10 @@ void LandmarkDraft::tidy() {
     std::ranges::sort(orderings, [](const Ordering& a, const Ordering& b) {
         return std::tuple(a.before, a.after, b.ordering) < std::tuple(b.before, b.after, a.ordering);
     });
-    const auto rest = std::ranges::unique(orderings, [](const Ordering& a, const Ordering& b) {
+    const auto same = [](const Ordering& a, const Ordering& b) {
         return a.before == b.before && a.after == b.after;
-    });
-    orderings.erase(rest.begin(), rest.end());
+    };
+    orderings.erase(std::unique(orderings.begin(), orderings.end(), same), orderings.end());
 }
 
 namespace {

@@ -113,8 +113,8 @@ TEST(ActionElimination, NeverHarmsWhateverTheLimits) {
         const PreparedTask prepared = prepare(walk.task);
         const Query query = task_query(prepared.task());
         EliminationLimits limits;
-        limits.max_nodes = *rc::gen::element(0, 1, 10, 100, 100000);
-        limits.max_steps = *rc::gen::element(0, 100, 10000, 10000000);
+        limits.max_nodes = *rc::gen::element<std::size_t>(0, 1, 10, 100, 100000);
+        limits.max_steps = *rc::gen::element<std::size_t>(0, 100, 10000, 10000000);
         const Plan greedy = eliminate_actions_greedily(prepared, query, walk.plan, {}, limits);
         RC_ASSERT(subsequence(no_worse(walk, greedy), walk.plan));
         const Plan best = eliminate_actions(prepared, query, walk.plan, {}, limits).plan;
