@@ -64,7 +64,7 @@ std::vector<AliasDescription> list_aliases() {
             {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
              "the first plan soon, then better and better ones until the time is up"},
             {"lama-first", lama_first(), "LAMA's first search, for comparison"},
-            {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],improve=false)",
+            {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],share=false,improve=false)",
              "LAMA's sequence of searches, for comparison"},
             {"optimal", "astar(lmcut())", "a cheapest plan"}};
 }

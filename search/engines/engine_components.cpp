@@ -170,6 +170,8 @@ std::vector<Component> engine_components() {
         {{"searches", OptionType::engines, "", "the engines"},
          {"first", OptionType::boolean, "false", "end with the first plan"},
          {"repeat_last", OptionType::boolean, "true", "repeat the last engine as long as it finds plans"},
+         {"share", OptionType::boolean, "true",
+          "once there is a plan, an engine but the last may take as long as all before it, at least 2 s"},
          {"improve", OptionType::boolean, "true",
           "improve each plan by action elimination and plan neighbourhoods"}},
         nullptr);

@@ -15,6 +15,7 @@ class Iterated {
           engines_(call["searches"].calls),
           first_(call.flag("first")),
           repeat_last_(call.flag("repeat_last")),
+          share_(call.flag("share")),
           improve_(call.flag("improve")) {}
 
     Outcome operator()() {
@@ -22,22 +23,23 @@ class Iterated {
             const std::int64_t bound = best_.plan ? std::min(best_.cost, run_.bound) : run_.bound;
             const SearchCallbacks progress{{}, run_.callbacks.on_progress};
             const bool last = next + 1 == engines_.size();
-            const Budget share =
-                best_.plan && !last ? run_.budget.within(std::max(kLeastSeconds, elapsed())) : run_.budget;
+            const Budget share = share_ && best_.plan && !last
+                                     ? run_.budget.within(std::max(kLeastSeconds, elapsed()))
+                                     : run_.budget;
             Outcome outcome =
                 run_engine({run_.prepared, run_.query, run_.seed, share, progress, bound}, engines_[next]);
             add(outcome.statistics);
             best_.status = outcome.status;
+            const bool found = outcome.status == Status::solved;
             if (outcome.plan) {
-                take(std::move(outcome));
-            } else if (outcome.status == Status::unsolvable && !best_.plan) {
-                return best_;
+                take(outcome);
             } else if (outcome.no_cheaper_plan) {
-                best_.optimal = true;
+                best_.no_cheaper_plan = true;
+                best_.optimal = best_.plan.has_value();
+                break;
             }
             if (run_.budget.exhausted() != Stop::none) break;
             if (best_.optimal || (best_.plan && (first_ || best_.cost == 0))) break;
-            const bool found = outcome.status == Status::solved;
             if (!last || !repeat_last_ || !found) ++next;
         }
         if (best_.plan && run_.budget.exhausted() == Stop::none) best_.status = Status::solved;
@@ -45,9 +47,9 @@ class Iterated {
     }
 
   private:
-    void take(Outcome outcome) {
+    void take(const Outcome& outcome) {
         if (best_.plan && outcome.cost >= best_.cost) return;
-        report(std::move(*outcome.plan), outcome.cost);
+        report(*outcome.plan, outcome.cost);
         best_.optimal = outcome.optimal;
         if (!improve_ || first_ || best_.optimal || run_.budget.exhausted() != Stop::none) return;
         std::vector<OperatorId> better =
@@ -79,8 +81,8 @@ class Iterated {
         best_.statistics = sum;
     }
 
-    /// A search for a cheaper plan, and the improvement of one, may take this long, or as long (half as long)
-    /// as all before together, if that is more.
+    /// A search for a cheaper plan, if searches share the time, and the improvement of a plan may take this
+    /// long; or, if that is more, as long (half as long) as all before together.
     static constexpr double kLeastSeconds = 2;
     double elapsed() const { return std::chrono::duration<double>(Budget::Clock::now() - start_).count(); }
 
@@ -89,6 +91,7 @@ class Iterated {
     const Budget::Clock::time_point start_ = Budget::Clock::now();
     bool first_;
     bool repeat_last_;
+    bool share_;
     bool improve_;
     Outcome best_;
 };

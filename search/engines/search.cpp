@@ -81,6 +81,7 @@ Outcome run_engine(const SearchRun& run, const Call& call) {
     try {
         Workshop workshop(*parts.task, run.query, run.seed, run.budget);
         SearchPlan plan = workshop.search_plan(call);
+        const bool own_bound = plan.bound < run.bound;
         plan.bound = std::min(plan.bound, run.bound);
         const Budget own = plan.max_time < 1e9 ? run.budget.within(plan.max_time) : run.budget;
         SearchContext context(parts, run.query, plan, workshop.take_heuristics(), own, run.callbacks);
@@ -93,7 +94,7 @@ Outcome run_engine(const SearchRun& run, const Call& call) {
                 outcome.optimal = plan.optimal;
             }
             outcome.no_cheaper_plan = outcome.status == Status::unsolvable ||
-                                      (outcome.status == Status::failed && context.complete &&
+                                      (outcome.status == Status::failed && context.complete && !own_bound &&
                                        plan.reopen_closed && plan.cost_type == CostType::normal);
         } catch (const std::bad_alloc&) {
             outcome.status = Status::out_of_memory;

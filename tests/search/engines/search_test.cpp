@@ -138,6 +138,25 @@ TEST(Iterated, EndsWithACheapestPlan) {
     }
 }
 
+TEST(Iterated, ClaimsOptimalityOnlyWithAProof) {
+    // A dear way in one step, a cheap one in two.
+    FiniteDomainTask task;
+    add_variable(task, 3, 0);
+    add_operator(task, {{0, 0}}, {{{0, 2}, {}}}, 9);
+    add_operator(task, {{0, 0}}, {{{0, 1}, {}}}, 2);
+    add_operator(task, {{0, 1}}, {{{0, 2}, {}}}, 2);
+    task.goal = {{0, 2}};
+    const std::string dear = "iterated([lazy_greedy([ff(cost_type=one)],cost_type=one),";
+    const Outcome bounded = run(task, dear + "astar(blind(),bound=3)],improve=false,repeat_last=false)");
+    EXPECT_EQ(bounded.cost, 9);
+    EXPECT_FALSE(bounded.optimal);
+    EXPECT_FALSE(run(task, dear + "lazy_greedy([ff(cost_type=one)],cost_type=one)],improve=false)").optimal);
+    const Outcome proved = run(task, dear + "lazy_wastar([ff()],w=5)],improve=false)");
+    EXPECT_EQ(proved.cost, 4);
+    EXPECT_TRUE(proved.optimal);
+    EXPECT_EQ(run(task, dear + "lazy_greedy([ff(cost_type=one)],cost_type=one)])").cost, 4) << "improved";
+}
+
 TEST(Engines, KeepTheBound) {
     for (const char* engine : {"astar(blind(),bound=",
                                "lazy_greedy([ff()],preferred=[ff()],reopen_closed=true,cost_type=one,bound=",
