@@ -59,8 +59,7 @@ std::string lama_rest() {
 std::vector<AliasDescription> list_aliases() {
     return {{"agile", first_plan(),
              "the first plan, as fast as possible: landmarks, FF and novelty; after five seconds mutexes of "
-             "pairs "
-             "and more diversity"},
+             "pairs and more diversity"},
             {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
              "the first plan soon, then better and better ones until the time is up"},
             {"lama-first", lama_first(), "LAMA's first search, for comparison"},

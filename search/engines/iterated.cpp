@@ -3,6 +3,7 @@
 
 #include "search/engines/search_plan.hpp"
 #include "search/improve/improve_plan.hpp"
+#include "search/improve/plan_execution.hpp"
 
 namespace praxis {
 
@@ -55,8 +56,7 @@ class Iterated {
         std::vector<OperatorId> better =
             improve_plan(run_.prepared, run_.query, *best_.plan,
                          run_.budget.within(std::max(kLeastSeconds, elapsed() / 2)));
-        std::int64_t cost = 0;
-        for (const OperatorId op : better) cost += run_.prepared.task().costs[op.index()];
+        const std::int64_t cost = cost_of(run_.prepared.task(), better).cost;
         if (cost < best_.cost) report(std::move(better), cost);
     }
 

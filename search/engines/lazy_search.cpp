@@ -47,7 +47,7 @@ class LazySearch {
                        space_.status(state) != NodeStatus::dead_end) {
                 ++statistics_.reopened;
                 space_.layout().improve(space_.node(state), entry.parent, g, cost);
-                space_.read(state, values_);
+                if (!evaluator_.path_dependent()) space_.read(state, values_);
             } else {
                 continue;
             }

@@ -1,6 +1,7 @@
 #include "search/evaluators/novelty.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace praxis {
