@@ -13,17 +13,6 @@
 namespace praxis {
 namespace {
 
-Status status_of(Stop stop) {
-    switch (stop) {
-        case Stop::memory:
-            return Status::out_of_memory;
-        case Stop::interrupted:
-            return Status::interrupted;
-        default:
-            return Status::out_of_time;
-    }
-}
-
 double thread_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

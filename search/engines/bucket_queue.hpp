@@ -1,5 +1,7 @@
 // Priority queues for small integer keys, first in first out among equals.
 //
+// An entry that stands for several things (`several`) comes out one by one (`split`).
+//
 // Entries lie in chunks of two cache lines that all queues of one open list share and use again, so that
 // memory follows the number of entries and popping is a walk through an array. Keys below 2^14 index a
 // vector, larger ones a map.
@@ -71,7 +73,12 @@ class Fifo {
         pool[tail_].entries[end_++] = entry;
     }
     Entry pop(Pool& pool) {
-        const Entry entry = pool[head_].entries[begin_++];
+        Entry& front = pool[head_].entries[begin_];
+        if constexpr (requires { front.split(); }) {
+            if (front.several()) return front.split();
+        }
+        const Entry entry = front;
+        ++begin_;
         const bool last = head_ == tail_ && begin_ == end_;
         if (last || begin_ == Pool::kChunkSize) {
             const std::uint32_t next = pool[head_].next;

@@ -94,7 +94,7 @@ class EagerSearch {
     void open_new(StateId state, bool preferred) {
         ++statistics_.evaluated;
         const bool alive = evaluator_.evaluate(state, child_values_, space_.g(state));
-        const Evaluated evaluated{evaluator_.estimates(), space_.g(state), preferred};
+        const Evaluated evaluated{evaluator_.estimates(), space_.g(state), audience(preferred)};
         if (!alive || open_->dead_end(evaluated)) {
             ++statistics_.dead_ends;
             if (alive) context_.complete = false;
@@ -116,7 +116,11 @@ class EagerSearch {
             return;
         }
         evaluator_.restore(space_.layout(), space_.node(state), child_values_);
-        open_->push({evaluator_.estimates(), space_.g(state), preferred}, state);
+        open_->push({evaluator_.estimates(), space_.g(state), audience(preferred)}, state);
+    }
+
+    static Audience audience(bool preferred) {
+        return preferred ? Audience::all_lists : Audience::lists_of_all;
     }
 
     void mark_preferred(bool mark) {

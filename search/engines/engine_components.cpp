@@ -177,6 +177,17 @@ std::vector<Component> engine_components() {
         nullptr);
     iterated.composite = run_iterated;
     all.push_back(std::move(iterated));
+    Component portfolio = engine(
+        "portfolio",
+        "engines side by side: as many at once as there are threads, the others wait for their turns; each "
+        "looks for plans cheaper than those found by any",
+        {{"searches", OptionType::engines, "", "the engines"},
+         {"first", OptionType::boolean, "false", "end with the first plan"},
+         {"turn", OptionType::real, "1",
+          "how long the first turn of each engine lasts, in seconds, about; later turns are longer"}},
+        nullptr);
+    portfolio.composite = run_portfolio;
+    all.push_back(std::move(portfolio));
     Component pruned =
         engine("h2",
                "an engine on the task without the operators and effects that cannot be part of a "

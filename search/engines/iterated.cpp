@@ -28,7 +28,9 @@ class Iterated {
                                      ? run_.budget.within(std::max(kLeastSeconds, elapsed()))
                                      : run_.budget;
             Outcome outcome =
-                run_engine({run_.prepared, run_.query, run_.seed, share, progress, bound}, engines_[next]);
+                run_engine({run_.prepared, run_.query, run_.seed, run_.threads, share, progress, bound,
+                            run_.shared_bound, run_.seat},
+                           engines_[next]);
             add(outcome.statistics);
             best_.status = outcome.status;
             const bool found = outcome.status == Status::solved;
@@ -36,7 +38,8 @@ class Iterated {
                 take(outcome);
             } else if (outcome.no_cheaper_plan) {
                 best_.no_cheaper_plan = true;
-                best_.optimal = best_.plan.has_value();
+                best_.optimal =
+                    best_.plan && (run_.shared_bound == nullptr || best_.cost <= *run_.shared_bound);
                 break;
             }
             if (run_.budget.exhausted() != Stop::none) break;
@@ -70,11 +73,7 @@ class Iterated {
     void add(const SearchStatistics& last) {
         SearchStatistics sum = best_.statistics;
         sum.seconds += last.seconds;
-        sum.expanded += last.expanded;
-        sum.evaluated += last.evaluated;
-        sum.generated += last.generated;
-        sum.reopened += last.reopened;
-        sum.dead_ends += last.dead_ends;
+        sum.add_counts(last);
         sum.registered_states = last.registered_states;
         sum.bytes_per_state = last.bytes_per_state;
         sum.best_estimate = last.best_estimate;

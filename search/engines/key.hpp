@@ -18,11 +18,15 @@ namespace praxis {
 /// The key of states from which some heuristic of the key sees no way to the goal.
 inline constexpr std::int64_t kInfiniteKey = std::numeric_limits<std::int64_t>::max();
 
+/// Which lists are to file an entry: those that take every state, those that take states reached by preferred
+/// operators alone, or both.
+enum class Audience : std::uint8_t { lists_of_all, lists_of_preferred, all_lists };
+
 /// What is known about a state, or about the parent that stands for it in a deferred evaluation.
 struct Evaluated {
     std::span<const Estimate> estimates;  ///< by heuristic
     std::int64_t g = 0;
-    bool preferred = false;  ///< reached by a preferred operator
+    Audience audience = Audience::lists_of_all;
 };
 
 class Key {

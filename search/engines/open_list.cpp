@@ -10,6 +10,12 @@ namespace praxis {
 
 namespace {
 
+/// Whether the state is for a list of preferred entries or of all.
+bool wanted(const Evaluated& state, bool preferred_only) {
+    return state.audience !=
+           (preferred_only ? Audience::lists_of_all : Audience::lists_of_preferred);
+}
+
 /// Sorted by one key.
 template <class Entry>
 class SingleList : public OpenList<Entry> {
@@ -18,7 +24,7 @@ class SingleList : public OpenList<Entry> {
         : key_(plan.keys[0]), preferred_only_(plan.preferred_only) {}
 
     bool push(const Evaluated& state, Entry entry) override {
-        if (preferred_only_ && !state.preferred) return false;
+        if (!wanted(state, preferred_only_)) return false;
         const std::int64_t key = key_.value(state);
         if (key == kInfiniteKey) return false;
         buckets_.fill(key, [&](Fifo<Entry>& fifo) { fifo.push(pool_, entry); });
@@ -53,7 +59,7 @@ class PairList : public OpenList<Entry> {
           unsafe_pruning_(plan.unsafe_pruning) {}
 
     bool push(const Evaluated& state, Entry entry) override {
-        if ((preferred_only_ && !state.preferred) || dead_end(state)) return false;
+        if (!wanted(state, preferred_only_) || dead_end(state)) return false;
         const std::int64_t second = keys_[1].value(state);
         buckets_.fill(keys_[0].value(state), [&](Inner& inner) {
             inner.fill(second, [&](Fifo<Entry>& fifo) { fifo.push(pool_, entry); });
@@ -86,7 +92,7 @@ class LexicographicList : public OpenList<Entry> {
         : keys_(plan.keys), preferred_only_(plan.preferred_only), unsafe_pruning_(plan.unsafe_pruning) {}
 
     bool push(const Evaluated& state, Entry entry) override {
-        if ((preferred_only_ && !state.preferred) || dead_end(state)) return false;
+        if (!wanted(state, preferred_only_) || dead_end(state)) return false;
         std::vector<std::int64_t> values;
         for (const Key& key : keys_) values.push_back(key.value(state));
         buckets_[std::move(values)].push(pool_, entry);
@@ -123,9 +129,9 @@ class AlternationList : public OpenList<Entry> {
     }
 
     bool push(const Evaluated& state, Entry entry) override {
-        bool wanted = false;
-        for (Turn& turn : lists_) wanted = turn.list->push(state, entry) || wanted;
-        return wanted;
+        bool taken = false;
+        for (Turn& turn : lists_) taken = turn.list->push(state, entry) || taken;
+        return taken;
     }
     Entry pop() override {
         Turn* best = nullptr;
@@ -167,7 +173,7 @@ class TypeBasedList : public OpenList<Entry> {
         : keys_(plan.keys), preferred_only_(plan.preferred_only), random_(plan.seed) {}
 
     bool push(const Evaluated& state, Entry entry) override {
-        if (preferred_only_ && !state.preferred) return false;
+        if (!wanted(state, preferred_only_)) return false;
         std::vector<std::int64_t> type;
         for (const Key& key : keys_) type.push_back(key.value(state));
         const auto [place, added] = number_.try_emplace(std::move(type), buckets_.size());
@@ -178,7 +184,11 @@ class TypeBasedList : public OpenList<Entry> {
     Entry pop() override {
         const std::size_t i = random_.below(buckets_.size());
         std::vector<Entry>& entries = buckets_[i].entries;
-        std::swap(entries[random_.below(entries.size())], entries.back());
+        const std::size_t chosen = random_.below(entries.size());
+        if constexpr (requires(Entry entry) { entry.split(); }) {
+            if (entries[chosen].several()) return entries[chosen].split();
+        }
+        std::swap(entries[chosen], entries.back());
         const Entry entry = entries.back();
         entries.pop_back();
         if (entries.empty()) {

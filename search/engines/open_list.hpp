@@ -1,8 +1,9 @@
 // Open lists: what a search may look at next, and in which order.
 //
-// An entry is what the search wants back: a state (eager search) or a state and an operator to apply in it
+// An entry is what the search wants back: a state (eager search) or a state and the operators to apply in it
 // (lazy search, which evaluates a state only when its turn comes and sorts it by its parent's estimates until
-// then). An open list is described as data first (OpenListPlan), so that the same description serves both
+// then). Successors that share their place in every list are filed as one entry, and come out one by one.
+// An open list is described as data first (OpenListPlan), so that the same description serves both
 // kinds of entry.
 #pragma once
 
@@ -16,10 +17,18 @@
 
 namespace praxis {
 
-/// A successor that has not been made yet.
+/// Successors of one state that have not been made yet, by operators that the search has numbered.
 struct DeferredEntry {
     StateId parent;
-    OperatorId op;
+    std::uint32_t first_operator = 0;
+    std::uint32_t count = 1;
+
+    bool several() const { return count > 1; }
+    /// Takes the first successor away; there must be several.
+    DeferredEntry split() {
+        --count;
+        return {parent, first_operator++, 1};
+    }
 };
 
 /// How an open list is built.
@@ -48,7 +57,7 @@ class OpenList {
 
     /// Files the entry where it belongs; false if no list wanted it.
     virtual bool push(const Evaluated& state, Entry entry) = 0;
-    /// Must not be empty.
+    /// One state or successor. Must not be empty.
     virtual Entry pop() = 0;
     virtual bool empty() const = 0;
     /// The search has made progress.

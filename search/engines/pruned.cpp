@@ -40,7 +40,9 @@ Outcome run_pruned(const SearchRun& run, const Call& call) {
             run.callbacks.on_plan(original, cost);
         };
     }
-    Outcome outcome = run_engine({prepared, run.query, run.seed, run.budget, callbacks, run.bound}, engine);
+    Outcome outcome = run_engine({prepared, run.query, run.seed, run.threads, run.budget, callbacks, run.bound,
+                                   run.shared_bound, run.seat},
+                                  engine);
     if (outcome.plan) {
         for (OperatorId& op : *outcome.plan) op = pruned.original[op.index()];
     }

@@ -49,6 +49,14 @@ Stop PreparedTask::stop() const {
     return parts_->stop;
 }
 
+void SearchStatistics::add_counts(const SearchStatistics& other) {
+    expanded += other.expanded;
+    evaluated += other.evaluated;
+    generated += other.generated;
+    reopened += other.reopened;
+    dead_ends += other.dead_ends;
+}
+
 Query task_query(const FiniteDomainTask& task) {
     return {task.initial_values, task.goal};
 }
@@ -83,8 +91,9 @@ Outcome run_engine(const SearchRun& run, const Call& call) {
         SearchPlan plan = workshop.search_plan(call);
         const bool own_bound = plan.bound < run.bound;
         plan.bound = std::min(plan.bound, run.bound);
+        plan.shared_bound = run.shared_bound;
         const Budget own = plan.max_time < 1e9 ? run.budget.within(plan.max_time) : run.budget;
-        SearchContext context(parts, run.query, plan, workshop.take_heuristics(), own, run.callbacks);
+        SearchContext context(run, plan, workshop.take_heuristics(), own);
         try {
             outcome.status =
                 plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
@@ -122,7 +131,9 @@ Outcome search(const PreparedTask& prepared, const Query& query, const Configura
         outcome.status = Status::unsolvable_early;
         return outcome;
     }
-    outcome = run_engine({prepared, query, configuration.seed, budget, callbacks, kInfinity}, call);
+    outcome = run_engine({prepared, query, configuration.seed, configuration.threads, budget, callbacks,
+                          kInfinity},
+                         call);
     outcome.statistics.peak_memory = peak_memory();
     return outcome;
 }

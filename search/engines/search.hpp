@@ -37,6 +37,9 @@ enum class Status : std::uint8_t {
     interrupted,       ///< by the stop token
 };
 
+/// The status of a search that a budget has stopped.
+Status status_of(Stop stop);
+
 /// Numbers a search reports, while it runs and at its end.
 struct SearchStatistics {
     double seconds = 0;  ///< wall time of the search so far
@@ -45,6 +48,9 @@ struct SearchStatistics {
     double bytes_per_state = 0;                 ///< packed state, duplicate set and search node together
     std::size_t peak_memory = 0;                ///< of the process, bytes
     std::optional<std::int32_t> best_estimate;  ///< lowest heuristic value seen
+
+    /// Adds what another search counted.
+    void add_counts(const SearchStatistics& other);
 };
 
 /// What to search for: a plan from `initial_values` (by variable; derived ones at their default) to `goal`.

@@ -11,12 +11,12 @@
 namespace praxis {
 
 struct SearchContext {
-    SearchContext(const PreparedTask::Parts& parts, const Query& query, const SearchPlan& search_plan,
-                  std::vector<Heuristic> heuristics, const Budget& budget, const SearchCallbacks& callbacks)
+    SearchContext(const SearchRun& run, const SearchPlan& search_plan, std::vector<Heuristic> heuristics,
+                  const Budget& budget)
         : plan(search_plan),
           evaluator(std::move(heuristics), plan),
-          space(parts, query, plan, evaluator.remembered()),
-          monitor(budget, callbacks) {}
+          space(run.prepared.parts(), run.query, plan, evaluator.remembered()),
+          monitor(budget, run.callbacks, run.seat, *run.prepared.parts().task) {}
 
     const SearchPlan& plan;
     StateEvaluator evaluator;

@@ -1,9 +1,11 @@
 #include "search/engines/search_monitor.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "search/engines/search_space.hpp"
 #include "search/engines/state_evaluator.hpp"
+#include "search/engines/turns.hpp"
 
 namespace praxis {
 
@@ -12,15 +14,26 @@ namespace {
 constexpr auto kReportInterval = std::chrono::milliseconds(250);
 constexpr auto kLookInterval = std::chrono::microseconds(1000);
 constexpr std::uint32_t kMaximumInterval = 1 << 14;
+constexpr std::uint64_t kLeastWork = 1000;
 
 }  // namespace
 
-SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks)
+SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
+                             const FiniteDomainTask& task)
     : budget_(budget),
       callbacks_(&callbacks),
       start_(Clock::now()),
       last_look_(start_),
-      next_report_(start_ + kReportInterval) {}
+      next_report_(start_ + kReportInterval),
+      seat_(seat),
+      work_per_state_(kLeastWork + (task.preconditions.total() + task.effects.total()) / 2),
+      turn_end_(std::numeric_limits<std::uint64_t>::max()) {
+    if (seat_ != nullptr) begin_turn();
+}
+
+void SearchMonitor::begin_turn() {
+    turn_end_ = statistics.evaluated + std::max<std::uint64_t>(seat_->work() / work_per_state_, 1);
+}
 
 bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluator) {
     const auto now = Clock::now();
@@ -32,6 +45,11 @@ bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluat
         interval_ = std::max(interval_ / 4, 1u);
     }
     countdown_ = interval_;
+    if (statistics.evaluated >= turn_end_) {
+        seat_->pass();
+        begin_turn();
+        last_look_ = Clock::now();
+    }
     if (callbacks_->on_progress && now >= next_report_) {
         next_report_ = now + kReportInterval;
         finish(space, evaluator);

@@ -10,18 +10,23 @@
 namespace praxis {
 
 class SearchSpace;
+class Seat;
 class StateEvaluator;
 
 class SearchMonitor {
   public:
-    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks);
+    /// Where engines take turns, `seat` is the search's; null otherwise. The work of a turn is counted in
+    /// evaluated states, by the size of the task: a unit is about a nanosecond where FF is computed.
+    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
+                  const FiniteDomainTask& task);
 
     SearchStatistics statistics;
 
     /// To be asked at least once a millisecond or so of work; asks the budget about that often, and reports
     /// progress. True: the search must end.
     bool stop(const SearchSpace& space, const StateEvaluator& evaluator) {
-        return --countdown_ == 0 && look(space, evaluator);
+        if (--countdown_ != 0 && statistics.evaluated < turn_end_) return false;
+        return look(space, evaluator);
     }
     /// Why the search must end, as a status.
     Status status() const;
@@ -32,6 +37,8 @@ class SearchMonitor {
     using Clock = Budget::Clock;
     bool look(const SearchSpace& space, const StateEvaluator& evaluator);
 
+    void begin_turn();
+
     Budget budget_;
     const SearchCallbacks* callbacks_;
     Clock::time_point start_;
@@ -39,9 +46,9 @@ class SearchMonitor {
     Clock::time_point next_report_;
     std::uint32_t interval_ = 1;
     std::uint32_t countdown_ = 1;
+    Seat* seat_;
+    std::uint64_t work_per_state_;
+    std::uint64_t turn_end_;  ///< by states evaluated
 };
-
-/// The status of a search that a budget has stopped.
-Status status_of(Stop stop);
 
 }  // namespace praxis

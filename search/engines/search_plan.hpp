@@ -31,6 +31,7 @@ struct SearchPlan {
     bool preferred_successors_first = false;
     CostType cost_type = CostType::normal;  ///< of g
     std::int64_t bound = kInfinity;         ///< plans cost less than this, by the task's costs
+    const SharedBound* shared_bound = nullptr;  ///< and less than this; may be null
     double max_time = std::numeric_limits<double>::infinity();
     bool optimal = false;  ///< the first plan found is a cheapest one
     std::uint64_t seed = 0;

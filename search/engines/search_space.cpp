@@ -1,6 +1,7 @@
 #include "search/engines/search_space.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace praxis {
 
@@ -12,7 +13,8 @@ constexpr std::int32_t kLargeCost = 1 << 12;
 NodeLayout make_layout(const FiniteDomainTask& task, const SearchPlan& plan, std::size_t estimates) {
     const bool large =
         std::any_of(task.costs.begin(), task.costs.end(), [](auto cost) { return cost >= kLargeCost; });
-    const bool real_cost = plan.bound != kInfinity && plan.cost_type != CostType::normal;
+    const bool bounded = plan.bound != kInfinity || plan.shared_bound != nullptr;
+    const bool real_cost = bounded && plan.cost_type != CostType::normal;
     return NodeLayout(large && (plan.cost_type != CostType::one || real_cost), real_cost, estimates);
 }
 
@@ -22,8 +24,10 @@ SearchSpace::SearchSpace(const PreparedTask::Parts& parts, const Query& query, c
                          std::size_t estimates)
     : parts_(&parts),
       query_(&query),
-      bounded_(plan.bound != kInfinity),
+      uniform_costs_(std::adjacent_find(task().costs.begin(), task().costs.end(), std::not_equal_to<>()) ==
+                     task().costs.end()),
       bound_(plan.bound),
+      shared_bound_(plan.shared_bound),
       layout_(make_layout(*parts.task, plan, estimates)),
       registry_(parts.packer, layout_.word_count()),
       batch_(kBatch * registry_.word_count()) {

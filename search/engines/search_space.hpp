@@ -60,11 +60,13 @@ class SearchSpace {
 
     /// What g adds for an operator.
     std::int64_t cost(OperatorId op) const { return cost_factor_ * task().costs[op.index()] + cost_summand_; }
+    bool uniform_costs() const { return cost_factor_ == 0 || uniform_costs_; }
     /// A way of real cost `cost` and then `op` is not below the bound.
     bool exceeds_bound(std::int64_t cost, OperatorId op) const {
-        return bounded_ && cost + task().costs[op.index()] >= bound_;
+        const std::int64_t least = bound();
+        return least != kInfinity && cost + task().costs[op.index()] >= least;
     }
-    bool bounded() const { return bounded_; }
+    bool bounded() const { return bound() != kInfinity; }
 
     const NodeLayout& layout() const { return layout_; }
     std::uint32_t* node(StateId state) { return registry_.node(state); }
@@ -81,14 +83,19 @@ class SearchSpace {
     double bytes_per_state() const { return registry_.bytes_per_state(); }
 
   private:
+    std::int64_t bound() const {
+        if (shared_bound_ == nullptr) return bound_;
+        return std::min(bound_, shared_bound_->load(std::memory_order_relaxed));
+    }
     OperatorId operator_between(StateId parent, StateId child);
 
     const PreparedTask::Parts* parts_;
     const Query* query_;
     std::int64_t cost_factor_ = 1;
     std::int64_t cost_summand_ = 0;
-    bool bounded_;
+    bool uniform_costs_;
     std::int64_t bound_;
+    const SharedBound* shared_bound_;
     NodeLayout layout_;
     StateRegistry registry_;
     AxiomEvaluator::Scratch scratch_;

@@ -40,7 +40,7 @@ Estimate StateEvaluator::estimate(std::size_t i, std::span<const std::int32_t> v
     const Heuristic& heuristic = heuristics_[i];
     if (!heuristic.given.empty()) {
         given_.clear();
-        for (const Key& key : heuristic.given) given_.push_back(key.value({estimates_, g, false}));
+        for (const Key& key : heuristic.given) given_.push_back(key.value({estimates_, g}));
         heuristic.evaluator->given(given_);
     }
     return heuristic.evaluator->evaluate(values);

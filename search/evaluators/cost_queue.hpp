@@ -51,18 +51,44 @@ class CostQueue {
 
     /// Takes an entry of the smallest key; false if there is none.
     bool pop(Entry& entry) {
+        if (!smallest(entry.key)) return false;
+        if (entry.key >= kBuckets) {
+            entry.item = pop_far();
+        } else {
+            const auto bucket = static_cast<std::uint32_t>(entry.key);
+            const Link link = pool_[heads_[bucket]];
+            heads_[bucket] = link.next;
+            if (link.next == kEnd) remove(bucket);
+            entry.item = link.item;
+        }
+        return true;
+    }
+
+    /// Finds the smallest key; false if there is none.
+    bool smallest(std::int32_t& key) {
         for (; first_word_ <= last_word_; ++first_word_) {
             if (const std::uint64_t bits = bitmap_[first_word_]; bits != 0) {
-                const std::uint32_t bucket =
-                    first_word_ * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-                const Link link = pool_[heads_[bucket]];
-                heads_[bucket] = link.next;
-                if (link.next == kEnd) bitmap_[first_word_] = bits & (bits - 1);
-                entry = {static_cast<std::int32_t>(bucket), link.item};
+                key = static_cast<std::int32_t>(first_word_ * 64 +
+                                                static_cast<std::uint32_t>(std::countr_zero(bits)));
                 return true;
             }
         }
-        return pop_far(entry);
+        if (heap_.empty()) return false;
+        key = static_cast<std::int32_t>(heap_.front() >> 32);
+        return true;
+    }
+
+    /// Takes all entries of the smallest key, which must be `key`, and calls `visit` with their items;
+    /// `visit` must not push.
+    template <class Visit>
+    void pop_all(std::int32_t key, const Visit& visit) {
+        if (key >= kBuckets) {
+            for (std::int32_t next = key; next == key && !heap_.empty(); smallest(next)) visit(pop_far());
+            return;
+        }
+        const auto bucket = static_cast<std::uint32_t>(key);
+        remove(bucket);
+        for (std::uint32_t i = heads_[bucket]; i != kEnd; i = pool_[i].next) visit(pool_[i].item);
     }
 
   private:
@@ -79,13 +105,15 @@ class CostQueue {
         std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
     }
 
-    bool pop_far(Entry& entry) {
-        if (heap_.empty()) return false;
+    std::uint32_t pop_far() {
         std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-        entry = {static_cast<std::int32_t>(heap_.back() >> 32), static_cast<std::uint32_t>(heap_.back())};
+        const auto item = static_cast<std::uint32_t>(heap_.back());
         heap_.pop_back();
-        return true;
+        return item;
     }
+
+    /// A list has become empty.
+    void remove(std::uint32_t bucket) { bitmap_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64)); }
 
     std::vector<std::uint64_t> bitmap_;
     std::vector<std::uint32_t> heads_;

@@ -1,8 +1,10 @@
-// Reaches propositions of a relaxed task in order of their hmax or hadd cost, until the goal is reached.
+// Reaches propositions of a relaxed task in order of their hmax or hadd cost, until the goal's cost is known.
 //
 // Rules that miss nothing in the state fire first, at their own cost; then a generalised Dijkstra search
-// counts down what the others miss. A rule's cost is summed when its last precondition is reached, so that
-// counters of one byte a rule are all that must be reset.
+// counts down what the others miss. It takes all propositions of one cost together, and works in passes over
+// flat arrays that rarely branch another way than the time before: which rules are complete; which of these
+// could make an effect cheaper, most cannot; and only for the rest, what the preconditions cost. Counters of
+// one byte a rule and the propositions' costs are all that must be reset.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +28,14 @@ class RelaxedExploration {
         : task_(std::move(task)),
           missing_(*task_),
           counters_(missing_.counts()),
-          unreached_(task_->proposition_count, Reached{kDeadEnd, RelaxedTask::kNone}),
-          reached_(unreached_),
+          unreached_(task_->proposition_count, kDeadEnd),
+          costs_(unreached_),
+          supporters_(task_->proposition_count, RelaxedTask::kNone),
           complete_(task_->rule_count() + 1) {
-        unreached_[RelaxedTask::kTrue].cost = 0;
+        unreached_[RelaxedTask::kTrue] = 0;
+        for (std::uint32_t i = 0; i < task_->rule_count(); ++i) {
+            if (i != task_->goal_rule) cheapest_ = std::min(cheapest_, task_->rule(i).cost);
+        }
     }
 
     /// The cost of the goal, or kDeadEnd. Costs above kMaxCost count as kMaxCost.
@@ -37,43 +43,28 @@ class RelaxedExploration {
 
     static constexpr std::int32_t kMaxCost = 1 << 30;
 
-    /// After `run`: the rule that reached a proposition most cheaply; kNone if it holds in the state or is
-    /// not reached.
-    std::uint32_t supporter(std::uint32_t proposition) const { return reached_[proposition].supporter; }
+    /// After `run`, for the goal and what its supporters need: the rule that reached a proposition most
+    /// cheaply; kNone if it holds in the state.
+    std::uint32_t supporter(std::uint32_t proposition) const { return supporters_[proposition]; }
     const RelaxedTask& task() const { return *task_; }
 
   private:
-    struct Reached {
-        std::int32_t cost;
-        std::uint32_t supporter;
-    };
-
     void fire(std::uint32_t index, const RelaxedTask::Rule& rule, std::int32_t cost) {
         for (const std::uint32_t effect : rule.effects) {
-            Reached& reached = reached_[effect];
-            if (cost >= reached.cost) continue;
-            reached = {cost, index};
+            if (cost >= costs_[effect]) continue;
+            costs_[effect] = cost;
+            supporters_[effect] = index;
             queue_.push(cost, effect);
         }
     }
 
-    /// Whether no effect can become cheaper than it is, even if the precondition just reached, at cost
-    /// `last`, were the only one that costs anything. Most rules end here.
-    bool useless(const RelaxedTask::Rule& rule, std::int32_t last) const {
-        const std::int64_t least = std::min(std::int64_t{last} + rule.cost, std::int64_t{kMaxCost});
-        for (const std::uint32_t effect : rule.effects) {
-            if (reached_[effect].cost > least) return false;
-        }
-        return true;
-    }
-
-    /// What a rule's effects cost once its last precondition is reached, at cost `last`. Saturates at each
-    /// step, so that the compiler leaves the short loop alone.
+    /// What a rule's effects cost if all its preconditions are reached, the last of them at cost `last`.
+    /// Saturates at each step, so that the compiler leaves the short loop alone.
     std::int32_t effect_cost(const RelaxedTask::Rule& rule, std::int32_t last) const {
         std::uint32_t cost = std::min(static_cast<std::uint32_t>(rule.cost), kLimit);
         if constexpr (combine == Combine::sum) {
             for (const std::uint32_t precondition : rule.preconditions) {
-                cost = std::min(cost + static_cast<std::uint32_t>(reached_[precondition].cost), kLimit);
+                cost = std::min(cost + static_cast<std::uint32_t>(costs_[precondition]), kLimit);
             }
         } else {
             cost = std::min(cost + static_cast<std::uint32_t>(last), kLimit);
@@ -81,57 +72,97 @@ class RelaxedExploration {
         return static_cast<std::int32_t>(cost);
     }
 
+    std::int32_t goal_cost(const RelaxedTask::Rule& goal) const {
+        std::int32_t dearest = 0;
+        for (const std::uint32_t fact : goal.preconditions) dearest = std::max(dearest, costs_[fact]);
+        return effect_cost(goal, dearest);
+    }
+
+    std::size_t find_complete(std::int32_t cost);
+    std::size_t keep_useful(std::size_t complete, std::int32_t cost);
+
     static constexpr std::uint32_t kLimit = kMaxCost;
     static constexpr std::size_t kAhead = 6;  ///< rules
 
     std::shared_ptr<const RelaxedTask> task_;
+    std::int32_t cheapest_ = kMaxCost;  ///< of the rules' costs
     MissingPreconditions missing_;
-    std::vector<std::uint8_t> counters_;  ///< by rule
-    std::vector<Reached> unreached_;      ///< what `reached_` is reset to
-    std::vector<Reached> reached_;        ///< by proposition
-    std::vector<std::uint32_t>
-        complete_;  ///< rules that miss nothing since the proposition in hand was reached
+    std::vector<std::uint8_t> counters_;     ///< by rule
+    std::vector<std::int32_t> unreached_;    ///< what `costs_` is reset to
+    std::vector<std::int32_t> costs_;        ///< by proposition
+    std::vector<std::uint32_t> supporters_;  ///< by proposition
+    std::vector<std::uint32_t> complete_;    ///< rules that miss nothing since the last propositions
     CostQueue queue_;
 };
 
+/// Takes the propositions of the smallest cost, `cost`, off the queue and collects the rules that miss
+/// nothing since. Returns how many.
+template <Combine combine>
+std::size_t RelaxedExploration<combine>::find_complete(std::int32_t cost) {
+    // Bytes may alias anything: without names of their own, every pointer would be loaded again for each
+    // rule.
+    const RelaxedTask& task = *task_;
+    const std::int32_t* const costs = costs_.data();
+    std::uint8_t* const counters = counters_.data();
+    std::uint32_t* const complete_rules = complete_.data();
+    std::size_t complete = 0;
+    queue_.pop_all(cost, [&](std::uint32_t proposition) {
+        if (costs[proposition] != cost) return;
+        for (const std::uint32_t index : task.precondition_of(proposition)) {
+            complete_rules[complete] = index;
+            complete += --counters[index] == 0;
+        }
+    });
+    return complete;
+}
+
+/// Keeps the rules of which some effect would become cheaper if the precondition just reached, at cost
+/// `cost`, were the only one that costs anything. Returns how many.
+template <Combine combine>
+std::size_t RelaxedExploration<combine>::keep_useful(std::size_t complete, std::int32_t cost) {
+    const RelaxedTask& task = *task_;
+    const std::int32_t* const costs = costs_.data();
+    std::uint32_t* const rules = complete_.data();
+    std::size_t useful = 0;
+    for (std::size_t i = 0; i < complete; ++i) {
+        task.prefetch(rules[std::min(i + kAhead, complete - 1)]);
+        const RelaxedTask::Rule rule = task.rule(rules[i]);
+        std::int32_t dearest = costs[rule.effects.front()];
+        for (const std::uint32_t effect : rule.effects.subspan(1)) dearest = std::max(dearest, costs[effect]);
+        rules[useful] = rules[i];
+        const std::uint32_t least = static_cast<std::uint32_t>(cost) + static_cast<std::uint32_t>(rule.cost);
+        useful += std::min(least, kLimit) < static_cast<std::uint32_t>(dearest);
+    }
+    return useful;
+}
+
 template <Combine combine>
 Estimate RelaxedExploration<combine>::run(StateView state) {
-    std::memcpy(reached_.data(), unreached_.data(), reached_.size() * sizeof(Reached));
-    missing_.enter(state, [this](std::uint32_t proposition) { reached_[proposition].cost = 0; });
-    if (missing_.counts()[task_->goal_rule] == 0) {
-        reached_[task_->goal] = {0, task_->goal_rule};
-        return 0;
-    }
+    std::memcpy(costs_.data(), unreached_.data(), costs_.size() * sizeof(std::int32_t));
+    missing_.enter(state, [this](std::uint32_t proposition) {
+        costs_[proposition] = 0;
+        supporters_[proposition] = RelaxedTask::kNone;
+    });
+    supporters_[task_->goal] = task_->goal_rule;
+    if (missing_.counts()[task_->goal_rule] == 0) return 0;
     queue_.clear();
     missing_.for_each_applicable([this](std::uint32_t index) {
         const RelaxedTask::Rule rule = task_->rule(index);
         fire(index, rule, std::min(rule.cost, kMaxCost));
     });
     std::memcpy(counters_.data(), missing_.counts().data(), counters_.size());
-    // Bytes may alias anything: without names of their own, every pointer would be loaded again for each
-    // rule.
-    const RelaxedTask& task = *task_;
-    std::uint8_t* const counters = counters_.data();
-    std::uint32_t* const complete_rules = complete_.data();
-    CostQueue::Entry entry;
-    while (queue_.pop(entry)) {
-        if (entry.key != reached_[entry.item].cost) continue;
-        std::size_t complete = 0;
-        for (const std::uint32_t index : task.precondition_of(entry.item)) {
-            complete_rules[complete] = index;
-            complete += --counters[index] == 0;
-        }
-        for (std::size_t i = 0; i < complete; ++i) {
-            task.prefetch(complete_rules[std::min(i + kAhead, complete - 1)]);
-            const std::uint32_t index = complete_rules[i];
-            const RelaxedTask::Rule rule = task.rule(index);
-            if (useless(rule, entry.key)) continue;
-            const std::int32_t cost = effect_cost(rule, entry.key);
-            if (index == task.goal_rule) {
-                reached_[task.goal] = {cost, index};
-                return cost;
-            }
-            fire(index, rule, cost);
+    const RelaxedTask::Rule goal = task_->rule(task_->goal_rule);
+    auto open_goal = goal.preconditions.begin();  // all before it cost what they do
+    for (std::int32_t cost = 0; queue_.smallest(cost);) {
+        // Nothing becomes cheaper than this any more.
+        const std::int32_t least = std::min(cost, kMaxCost - cheapest_) + cheapest_;
+        while (open_goal != goal.preconditions.end() && costs_[*open_goal] <= least) ++open_goal;
+        if (open_goal == goal.preconditions.end()) return goal_cost(goal);
+        const std::size_t complete = find_complete(cost);
+        const std::size_t useful = keep_useful(complete, cost);
+        for (std::size_t i = 0; i < useful; ++i) {
+            const RelaxedTask::Rule rule = task_->rule(complete_[i]);
+            fire(complete_[i], rule, effect_cost(rule, cost));
         }
     }
     return kDeadEnd;

@@ -35,7 +35,7 @@ void compare_with_multimap(std::size_t keys) {
             std::vector<Estimate> estimates;
             for (std::size_t j = 0; j < keys; ++j) estimates.push_back(*rc::gen::inRange(0, range));
             const StateId id(fresh++);
-            RC_ASSERT(list->push({estimates, 0, false}, id));
+            RC_ASSERT(list->push({estimates, 0}, id));
             expected[estimates].push_back(id);
         } else {
             pop();
@@ -51,18 +51,35 @@ TEST(OpenList, SortsFirstInFirstOut) {
     }
 }
 
+TEST(OpenList, HandsOutSiblingsOneByOne) {
+    const std::vector<Estimate> low{1};
+    const std::vector<Estimate> high{2};
+    auto list = make_open_list<DeferredEntry>(sorted_by(1));
+    list->push({high, 0}, {StateId(0), 10, 3});
+    list->push({low, 0}, {StateId(1), 20, 2});
+    list->push({high, 0}, {StateId(2), 30});
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> popped;
+    while (!list->empty()) {
+        const DeferredEntry entry = list->pop();
+        EXPECT_EQ(entry.count, 1u);
+        popped.emplace_back(entry.parent.index(), entry.first_operator);
+    }
+    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    EXPECT_EQ(popped, (Pairs{{1, 20}, {1, 21}, {0, 10}, {0, 11}, {0, 12}, {2, 30}}));
+}
+
 TEST(OpenList, ServesManyEntries) {
     auto list = make_open_list<DeferredEntry>(sorted_by(1));
     constexpr std::uint32_t kCount = 200000;
     for (int round = 0; round < 2; ++round) {
         for (std::uint32_t i = 0; i < kCount; ++i) {
             const std::vector<Estimate> estimates{static_cast<Estimate>(i % 7)};
-            list->push({estimates, 0, false}, {StateId(i), OperatorId(i + 1)});
+            list->push({estimates, 0}, {StateId(i), i + 1});
         }
         std::uint32_t last = 0;
         for (std::uint32_t i = 0; i < kCount; ++i) {
             const DeferredEntry entry = list->pop();
-            ASSERT_EQ(entry.op.index(), entry.parent.index() + 1);
+            ASSERT_EQ(entry.first_operator, entry.parent.index() + 1);
             if (i > 0) {
                 ASSERT_LE(last % 7, entry.parent.index() % 7);
                 if (last % 7 == entry.parent.index() % 7) {
@@ -80,10 +97,10 @@ TEST(OpenList, RefusesWhatItShould) {
     plan.preferred_only = true;
     auto preferred = make_open_list<StateId>(plan);
     const std::vector<Estimate> three{3}, dead{kDeadEnd};
-    EXPECT_FALSE(preferred->push({three, 0, false}, StateId(0)));
-    EXPECT_TRUE(preferred->push({three, 0, true}, StateId(1)));
-    EXPECT_FALSE(preferred->push({dead, 0, true}, StateId(2)));
-    EXPECT_TRUE(preferred->dead_end({dead, 0, false}));
+    EXPECT_FALSE(preferred->push({three, 0}, StateId(0)));
+    EXPECT_TRUE(preferred->push({three, 0, Audience::all_lists}, StateId(1)));
+    EXPECT_FALSE(preferred->push({dead, 0, Audience::all_lists}, StateId(2)));
+    EXPECT_TRUE(preferred->dead_end({dead, 0}));
     EXPECT_EQ(preferred->pop(), StateId(1));
     EXPECT_TRUE(preferred->empty());
 
@@ -92,8 +109,8 @@ TEST(OpenList, RefusesWhatItShould) {
     for (bool unsafe : {false, true}) {
         pair.unsafe_pruning = unsafe;
         auto list = make_open_list<StateId>(pair);
-        EXPECT_EQ(list->push({first_dead, 0, false}, StateId(0)), !unsafe);
-        EXPECT_FALSE(list->push({both_dead, 0, false}, StateId(0)));
+        EXPECT_EQ(list->push({first_dead, 0}, StateId(0)), !unsafe);
+        EXPECT_FALSE(list->push({both_dead, 0}, StateId(0)));
     }
 }
 
@@ -105,8 +122,8 @@ TEST(OpenList, AlternatesAndBoosts) {
     plan.lists[1].preferred_only = true;
     auto list = make_open_list<StateId>(plan);
     const std::vector<Estimate> low{1}, high{2};
-    for (std::uint32_t i = 0; i < 6; ++i) list->push({low, 0, false}, StateId(i));
-    for (std::uint32_t i = 10; i < 20; ++i) list->push({high, 0, true}, StateId(i));
+    for (std::uint32_t i = 0; i < 6; ++i) list->push({low, 0}, StateId(i));
+    for (std::uint32_t i = 10; i < 20; ++i) list->push({high, 0, Audience::all_lists}, StateId(i));
     std::vector<std::uint32_t> order;
     const auto pop = [&](int count) {
         for (int i = 0; i < count; ++i) order.push_back(list->pop().index());
@@ -128,8 +145,8 @@ TEST(OpenList, TypesAreEquallyLikely) {
     std::vector<std::uint32_t> popped;
     auto list = make_open_list<StateId>(plan);
     for (int round = 0; round < 400; ++round) {
-        for (std::uint32_t i = 0; i < 20; ++i) list->push({common, 0, false}, StateId(i));
-        list->push({rare, 0, false}, StateId(99));
+        for (std::uint32_t i = 0; i < 20; ++i) list->push({common, 0}, StateId(i));
+        list->push({rare, 0}, StateId(99));
         popped.clear();
         while (!list->empty()) popped.push_back(list->pop().index());
         if (popped[0] == 99) ++rare_first;
@@ -143,7 +160,7 @@ TEST(OpenList, TypesAreEquallyLikely) {
 
 TEST(Key, IsALinearFormWithMaxima) {
     const std::vector<Estimate> estimates{3, 10, kDeadEnd};
-    const Evaluated state{estimates, 5, false};
+    const Evaluated state{estimates, 5};
     const Key h0 = Key::heuristic(0), h1 = Key::heuristic(1), dead = Key::heuristic(2),
               g = Key::cost_so_far();
     EXPECT_EQ(Key::sum({g, Key::weighted(h0, 4)}).value(state), 17);
