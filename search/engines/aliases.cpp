@@ -18,11 +18,10 @@ std::string with_evaluators(std::string expression, const std::string& cost_type
 
 /// LAMA's queues without that of landmarks alone, and one of states with new pairs of facts (NOLAN; Correa
 /// and Seipp 2025).
-std::string focused_greedy(const std::string& options) {
+std::string focused_greedy() {
     return with_evaluators(
         "lazy(alt([single(FF),single(FF,pref_only=true),single(LM,pref_only=true),"
-        "tiebreaking([novelty([LM,FF]),LM,g()])],boost=1000),preferred=[FF,LM],cost_type=one" +
-            options + ")",
+        "tiebreaking([novelty([LM,FF]),LM,g()])],boost=1000),preferred=[FF,LM],cost_type=one)",
         "one");
 }
 
@@ -36,10 +35,16 @@ std::string diverse_greedy() {
         "one");
 }
 
-/// A short focused search; then, on the pruned task, a diverse one.
+/// Best-first width search, BFWS(f5): states with new pairs of facts first, then few open goals (Lipovetzky
+/// and Geffner 2017).
+std::string width_search() {
+    return "eager(tiebreaking([novelty([goalcount(),relaxed_counter()]),goalcount()]))";
+}
+
+/// A focused search, a diverse one on the pruned task, and one that hardly looks at heuristics.
 std::string first_plan() {
-    return "iterated([" + focused_greedy(",max_time=5") + ",h2(" + diverse_greedy() +
-           ",seconds=2)],first=true)";
+    return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=2)," + width_search() +
+           "],first=true)";
 }
 
 std::string lama_first() {
@@ -57,15 +62,16 @@ std::string lama_rest() {
 }  // namespace
 
 std::vector<AliasDescription> list_aliases() {
-    return {{"agile", first_plan(),
-             "the first plan, as fast as possible: landmarks, FF and novelty; after five seconds mutexes of "
-             "pairs and more diversity"},
-            {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
-             "the first plan soon, then better and better ones until the time is up"},
-            {"lama-first", lama_first(), "LAMA's first search, for comparison"},
-            {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],share=false,improve=false)",
-             "LAMA's sequence of searches, for comparison"},
-            {"optimal", "astar(lmcut())", "a cheapest plan"}};
+    return {
+        {"agile", first_plan(),
+         "the first plan, as fast as possible: three searches take turns, or run at once on as many threads: "
+         "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search"},
+        {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
+         "the first plan soon, then better and better ones until the time is up"},
+        {"lama-first", lama_first(), "LAMA's first search, for comparison"},
+        {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],share=false,improve=false)",
+         "LAMA's sequence of searches, for comparison"},
+        {"optimal", "astar(lmcut())", "a cheapest plan"}};
 }
 
 }  // namespace praxis

@@ -7,6 +7,7 @@
 #include "search/evaluators/hmax.hpp"
 #include "search/evaluators/lmcut.hpp"
 #include "search/evaluators/novelty.hpp"
+#include "search/evaluators/relaxed_counter.hpp"
 #include "search/landmarks/landmark_sum.hpp"
 
 namespace praxis {
@@ -51,8 +52,17 @@ Key landmark_sum_key(const Call& call, Workshop& workshop) {
         options.disjunctive = call.flag("disjunctive");
         options.reasonable = call.flag("reasonable");
         options.budget = workshop.budget();
-        return std::make_unique<LandmarkSumEvaluator>(workshop.task(), workshop.goal(),
-                                                      workshop.initial_values(), cost_type, options);
+        const std::string name = std::string("landmarks") + (options.disjunctive ? " disjunctive" : "") +
+                                 (options.reasonable ? " reasonable" : "");
+        return std::make_unique<LandmarkSumEvaluator>(
+            workshop.task(), workshop.goal(),
+            workshop.shared().get<LandmarkGraph>(
+                name,
+                [&] {
+                    return std::make_shared<const LandmarkGraph>(make_landmark_graph(
+                        workshop.task(), workshop.goal(), workshop.initial_values(), options));
+                }),
+            cost_type);
     }));
 }
 
@@ -81,6 +91,7 @@ Key novelty_key(const Call& call, Workshop& workshop) {
     options.width = static_cast<int>(call.integer("width"));
     options.forget = call.flag("forget");
     options.memory = static_cast<std::size_t>(call.integer("memory")) << 20;
+    options.sample = static_cast<std::size_t>(call.integer("sample"));
     return Key::heuristic(workshop.heuristic(
         call, CostType::one, false,
         [&] { return std::make_unique<NoveltyEvaluator>(workshop.task(), options); }, std::move(partition)));
@@ -102,13 +113,41 @@ Component novelty() {
           "MiB for tables; when full, partitions share them",
           {},
           1,
-          1 << 20}},
+          1 << 20},
+         {"sample",
+          OptionType::integer,
+          "infinity",
+          "pairs to look at for each new fact, taken evenly from all (approximate novelty)",
+          {},
+          1}},
         "supported",
         "supported",
         "yes",
         "no",
         "no"};
     component.key = novelty_key;
+    return component;
+}
+
+Component relaxed_counter() {
+    Component component;
+    component.description = {
+        "relaxed_counter",
+        ComponentKind::evaluator,
+        "how many facts of a relaxed plan have been reached since the goals last got fewer; "
+        "partitions novelty (Lipovetzky and Geffner 2017)",
+        {},
+        "supported (relaxed)",
+        "supported (relaxed)",
+        "yes",
+        "no",
+        "no"};
+    component.key = [](const Call& call, Workshop& workshop) {
+        return Key::heuristic(workshop.heuristic(call, CostType::one, false, [&] {
+            return std::make_unique<RelaxedCounterEvaluator>(workshop.task(),
+                                                             std::span<const Fact>(workshop.goal()));
+        }));
+    };
     return component;
 }
 
@@ -153,6 +192,7 @@ std::vector<Component> evaluator_components() {
                                             {"supported (relaxed)", "yes", "yes", "no"}));
     all.push_back(landmark_sum());
     all.push_back(novelty());
+    all.push_back(relaxed_counter());
     all.push_back(arithmetic("g", "cost of the way to the state, as the search counts costs", {},
                              [](const Call&, Workshop&) { return Key::cost_so_far(); }));
     all.push_back(arithmetic(

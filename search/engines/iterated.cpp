@@ -27,10 +27,9 @@ class Iterated {
             const Budget share = share_ && best_.plan && !last
                                      ? run_.budget.within(std::max(kLeastSeconds, elapsed()))
                                      : run_.budget;
-            Outcome outcome =
-                run_engine({run_.prepared, run_.query, run_.seed, run_.threads, share, progress, bound,
-                            run_.shared_bound, run_.seat},
-                           engines_[next]);
+            Outcome outcome = run_engine({run_.prepared, run_.query, run_.shared, run_.seed, run_.threads,
+                                          share, progress, bound, run_.shared_bound, run_.seat},
+                                         engines_[next]);
             add(outcome.statistics);
             best_.status = outcome.status;
             const bool found = outcome.status == Status::solved;

@@ -102,9 +102,8 @@ class LazySearch {
             std::stable_partition(operators_.begin(), operators_.end(), is_preferred);
         }
         if (by_cost_) {
-            std::stable_sort(operators_.begin(), operators_.end(), [&](OperatorId a, OperatorId b) {
-                return space_.cost(a) < space_.cost(b);
-            });
+            std::stable_sort(operators_.begin(), operators_.end(),
+                             [&](OperatorId a, OperatorId b) { return space_.cost(a) < space_.cost(b); });
         }
         if (!file(state, g, Audience::lists_of_all)) context_.complete = false;
         if (preferred.empty()) return;

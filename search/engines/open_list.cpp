@@ -12,8 +12,7 @@ namespace {
 
 /// Whether the state is for a list of preferred entries or of all.
 bool wanted(const Evaluated& state, bool preferred_only) {
-    return state.audience !=
-           (preferred_only ? Audience::lists_of_all : Audience::lists_of_preferred);
+    return state.audience != (preferred_only ? Audience::lists_of_all : Audience::lists_of_preferred);
 }
 
 /// Sorted by one key.

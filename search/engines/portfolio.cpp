@@ -23,8 +23,7 @@ class Portfolio {
           first_(call.flag("first")),
           work_(static_cast<std::uint64_t>(call["turn"].real * kWorkPerSecond)),
           turns_(engines_.size(), static_cast<std::size_t>(std::max(run.threads, 1))),
-          bound_(run.shared_bound == nullptr ? run.bound
-                                             : std::min(run.bound, run.shared_bound->load())),
+          bound_(run.shared_bound == nullptr ? run.bound : std::min(run.bound, run.shared_bound->load())),
           budget_(run.budget),
           outcomes_(engines_.size()),
           progress_(engines_.size()),
@@ -74,8 +73,10 @@ class Portfolio {
             [this](std::span<const OperatorId> plan, std::int64_t cost) { offer(plan, cost); },
             run_.callbacks.on_progress ? [this, i](const SearchStatistics& now) { report(i, now); }
                                        : std::function<void(const SearchStatistics&)>()};
-        const SearchRun part{run_.prepared, run_.query, run_.seed + i, 1,     budget, callbacks, run_.bound,
-                             first_ ? run_.shared_bound : &bound_,    &seat};
+        const SearchRun part{run_.prepared, run_.query, run_.shared,
+                             run_.seed + i, 1,          budget,
+                             callbacks,     run_.bound, first_ ? run_.shared_bound : &bound_,
+                             &seat};
         outcomes_[i] = run_engine(part, engines_[i]);
         const Outcome& outcome = outcomes_[i];
         if (outcome.no_cheaper_plan || (first_ && outcome.plan)) stop_.request_stop();

@@ -32,6 +32,7 @@ Outcome run_pruned(const SearchRun& run, const Call& call) {
     }
     if (pruned.removed_operators == 0) return run_engine(run, engine);
     const PreparedTask prepared(pruned.task, run.budget);
+    SharedParts shared;  // on another task
     SearchCallbacks callbacks = run.callbacks;
     if (run.callbacks.on_plan) {
         callbacks.on_plan = [&](std::span<const OperatorId> plan, std::int64_t cost) {
@@ -40,9 +41,9 @@ Outcome run_pruned(const SearchRun& run, const Call& call) {
             run.callbacks.on_plan(original, cost);
         };
     }
-    Outcome outcome = run_engine({prepared, run.query, run.seed, run.threads, run.budget, callbacks, run.bound,
-                                   run.shared_bound, run.seat},
-                                  engine);
+    Outcome outcome = run_engine({prepared, run.query, shared, run.seed, run.threads, run.budget, callbacks,
+                                  run.bound, run.shared_bound, run.seat},
+                                 engine);
     if (outcome.plan) {
         for (OperatorId& op : *outcome.plan) op = pruned.original[op.index()];
     }

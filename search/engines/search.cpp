@@ -84,10 +84,9 @@ Configuration alias(const std::string& name) {
 
 Outcome run_engine(const SearchRun& run, const Call& call) {
     if (call.component->composite != nullptr) return call.component->composite(run, call);
-    const PreparedTask::Parts& parts = run.prepared.parts();
     Outcome outcome;
     try {
-        Workshop workshop(*parts.task, run.query, run.seed, run.budget);
+        Workshop workshop(run);
         SearchPlan plan = workshop.search_plan(call);
         const bool own_bound = plan.bound < run.bound;
         plan.bound = std::min(plan.bound, run.bound);
@@ -131,9 +130,10 @@ Outcome search(const PreparedTask& prepared, const Query& query, const Configura
         outcome.status = Status::unsolvable_early;
         return outcome;
     }
-    outcome = run_engine({prepared, query, configuration.seed, configuration.threads, budget, callbacks,
-                          kInfinity},
-                         call);
+    SharedParts shared;
+    outcome = run_engine(
+        {prepared, query, shared, configuration.seed, configuration.threads, budget, callbacks, kInfinity},
+        call);
     outcome.statistics.peak_memory = peak_memory();
     return outcome;
 }

@@ -19,14 +19,14 @@ constexpr std::uint64_t kLeastWork = 1000;
 }  // namespace
 
 SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
-                             const FiniteDomainTask& task)
+                             std::uint64_t work_per_state)
     : budget_(budget),
       callbacks_(&callbacks),
       start_(Clock::now()),
       last_look_(start_),
       next_report_(start_ + kReportInterval),
       seat_(seat),
-      work_per_state_(kLeastWork + (task.preconditions.total() + task.effects.total()) / 2),
+      work_per_state_(kLeastWork + work_per_state),
       turn_end_(std::numeric_limits<std::uint64_t>::max()) {
     if (seat_ != nullptr) begin_turn();
 }

@@ -16,9 +16,9 @@ class StateEvaluator;
 class SearchMonitor {
   public:
     /// Where engines take turns, `seat` is the search's; null otherwise. The work of a turn is counted in
-    /// evaluated states, by the size of the task: a unit is about a nanosecond where FF is computed.
+    /// evaluated states, each so much as its evaluators estimate: a unit is about a nanosecond.
     SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
-                  const FiniteDomainTask& task);
+                  std::uint64_t work_per_state);
 
     SearchStatistics statistics;
 

@@ -29,8 +29,8 @@ struct SearchPlan {
     bool reopen_closed = false;
     bool randomize_successors = false;
     bool preferred_successors_first = false;
-    CostType cost_type = CostType::normal;  ///< of g
-    std::int64_t bound = kInfinity;         ///< plans cost less than this, by the task's costs
+    CostType cost_type = CostType::normal;      ///< of g
+    std::int64_t bound = kInfinity;             ///< plans cost less than this, by the task's costs
     const SharedBound* shared_bound = nullptr;  ///< and less than this; may be null
     double max_time = std::numeric_limits<double>::infinity();
     bool optimal = false;  ///< the first plan found is a cheapest one
@@ -49,8 +49,12 @@ struct Heuristic {
 /// Turns a checked expression into a plan and its heuristics; equal calls share one heuristic.
 class Workshop {
   public:
-    Workshop(const FiniteDomainTask& task, const Query& query, std::uint64_t seed, const Budget& budget)
-        : task_(&task), query_(&query), seed_(seed), budget_(budget) {}
+    explicit Workshop(const SearchRun& run)
+        : task_(&run.prepared.task()),
+          query_(&run.query),
+          shared_(&run.shared),
+          seed_(run.seed),
+          budget_(run.budget) {}
 
     SearchPlan search_plan(const Call& call);
     Key key(const Call& call);
@@ -75,6 +79,7 @@ class Workshop {
     const std::vector<Fact>& goal() const { return query_->goal; }
     const std::vector<std::int32_t>& initial_values() const { return query_->initial_values; }
     const Budget& budget() const { return budget_; }
+    SharedParts& shared() const { return *shared_; }
     std::uint64_t seed() const { return seed_; }
     /// The key never exceeds the real cost of a way to the goal.
     bool admissible(const Key& key) const;
@@ -83,6 +88,7 @@ class Workshop {
   private:
     const FiniteDomainTask* task_;
     const Query* query_;
+    SharedParts* shared_;
     std::uint64_t seed_;
     Budget budget_;
     std::vector<Heuristic> heuristics_;

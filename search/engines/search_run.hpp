@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "search/engines/search.hpp"
+#include "search/engines/shared_parts.hpp"
 
 namespace praxis {
 
@@ -16,6 +17,7 @@ using SharedBound = std::atomic<std::int64_t>;
 struct SearchRun {
     const PreparedTask& prepared;
     const Query& query;
+    SharedParts& shared;  ///< of all searches for this query on this task
     std::uint64_t seed = 0;
     int threads = 1;  ///< that may work at once
     const Budget& budget;

@@ -85,6 +85,12 @@ void StateEvaluator::evaluate_preferred(StateId state, std::span<const std::int3
     for (std::size_t i : preferred_from_) estimates_[i] = estimate(i, values, g);
 }
 
+std::uint64_t StateEvaluator::effort() const {
+    std::uint64_t sum = 0;
+    for (const Heuristic& heuristic : heuristics_) sum += heuristic.evaluator->effort();
+    return sum;
+}
+
 void StateEvaluator::remember(const NodeLayout& layout, std::uint32_t* node) const {
     for (std::size_t i = 0; i < remembered_.size(); ++i)
         layout.set_estimate(node, i, estimates_[remembered_[i]]);

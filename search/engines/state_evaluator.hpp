@@ -39,6 +39,9 @@ class StateEvaluator {
     /// Evaluates only the heuristics that prefer operators.
     void evaluate_preferred(StateId state, std::span<const std::int32_t> values, std::int64_t g);
 
+    /// The effort of evaluating a state; see Evaluator.
+    std::uint64_t effort() const;
+
     /// How many estimates `remember` writes into a node.
     std::size_t remembered() const { return remembered_.size(); }
     void remember(const NodeLayout& layout, std::uint32_t* node) const;

@@ -15,6 +15,7 @@ class HmaxEvaluator final : public Evaluator {
     HmaxEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type);
 
     Estimate evaluate(StateView state) override { return exploration_.run(state); }
+    std::uint64_t effort() const override { return exploration_.task().effort(); }
     bool safe() const override { return true; }
     bool admissible() const override { return true; }
     bool consistent() const override { return true; }

@@ -2,14 +2,17 @@
 // (Lipovetzky and Geffner, AAAI 2017), where states count as seen only by states with the same values of
 // other evaluators.
 //
-// Each partition has a bit for every fact and one for every pair of facts. Only sets with a fact that the
-// last operator made true are looked at, since the others were in the state before. The tables of all
-// partitions stay below a limit: when it is reached, further partitions share the tables there are, and where
-// a single table is too large, pairs share bits. Sharing can only make a state look less novel (approximate
-// novelty; Singh, Lipovetzky, Ramirez and Segovia-Aguas, ICAPS 2021).
+// Only sets with a fact that the last operator made true are looked at, since the others were in the state
+// before. Small tasks have a table for each partition, with a bit for every fact and every pair of facts;
+// when all tables together reach the limit, further partitions share them. Where one table would be large,
+// all partitions share one field of bits instead, in which a hash of the partition and a fact says where the
+// bits of the pairs with that fact begin: nothing is set up for a new partition, and forgetting is free.
+// Sharing can only make a state look less novel (approximate novelty; Singh, Lipovetzky, Ramirez and
+// Segovia-Aguas, ICAPS 2021), until so many bits are set that the field is cleared.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -22,6 +25,10 @@ struct NoveltyOptions {
     int width = 2;        ///< 1 or 2
     bool forget = false;  ///< start anew when a value of the partition is a new best one
     std::size_t memory = std::size_t{1} << 27;  ///< bytes for tables, at most
+    /// Bits of a table, at most; where more would be needed, partitions share the field.
+    std::size_t largest_table = std::size_t{1} << 20;
+    /// Pairs of each new fact to look at, taken evenly from all.
+    std::size_t sample = std::numeric_limits<std::size_t>::max();
 };
 
 /// 1, 2, ... `width`, or width + 1 if nothing is new. Never kDeadEnd. Depends on all states evaluated before,
@@ -37,24 +44,31 @@ class NoveltyEvaluator final : public Evaluator {
         partition_.assign(values.begin(), values.end());
     }
     Estimate evaluate(StateView state) override;
+    std::uint64_t effort() const override { return 100 + 4 * task_.variable_count(); }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }
 
   private:
-    using Table = std::vector<std::uint64_t>;
-
+    std::uint64_t row(std::uint64_t fact) const;
+    std::size_t single_bit(std::uint32_t fact) const;
     std::size_t pair_bit(std::uint32_t a, std::uint32_t b) const;
-    Table& table();
+    void enter_partition();
     void forget_on_progress();
-    static bool add(Table& table, std::size_t bit);
+    bool add(std::size_t bit);
+    void clear();
 
     const FiniteDomainTask& task_;
     NoveltyOptions options_;
-    std::size_t pair_bits_ = 0;  ///< in one table
-    std::size_t most_tables_ = 1;
-    std::vector<Table> tables_;
+    std::size_t table_bits_;  ///< of one partition
+    std::size_t most_tables_ = 0;
+    bool hashed_;                                               ///< all partitions share the field
+    std::vector<std::uint64_t> bits_;                           ///< one table after the other, or the field
+    std::size_t set_ = 0;                                       ///< bits of the field
     std::map<std::vector<std::int64_t>, std::size_t> numbers_;  ///< by partition: its table
+    std::uint64_t base_ = 0;  ///< where the table of the partition in hand begins, or its hash
+    std::uint64_t generation_ = 0;
+    std::size_t turn_ = 0;  ///< shifts the sample
     std::vector<std::int64_t> partition_;
     std::vector<std::int64_t> best_;
     std::vector<std::uint32_t> facts_;   ///< of the state, those of `changed_` first

@@ -31,7 +31,8 @@ class RelaxedExploration {
           unreached_(task_->proposition_count, kDeadEnd),
           costs_(unreached_),
           supporters_(task_->proposition_count, RelaxedTask::kNone),
-          complete_(task_->rule_count() + 1) {
+          batch_(task_->proposition_count + 1),
+          complete_(task_->rule_count() + 1 + kAhead) {
         unreached_[RelaxedTask::kTrue] = 0;
         for (std::uint32_t i = 0; i < task_->rule_count(); ++i) {
             if (i != task_->goal_rule) cheapest_ = std::min(cheapest_, task_->rule(i).cost);
@@ -91,6 +92,7 @@ class RelaxedExploration {
     std::vector<std::int32_t> unreached_;    ///< what `costs_` is reset to
     std::vector<std::int32_t> costs_;        ///< by proposition
     std::vector<std::uint32_t> supporters_;  ///< by proposition
+    std::vector<std::uint32_t> batch_;       ///< propositions reached at the smallest cost
     std::vector<std::uint32_t> complete_;    ///< rules that miss nothing since the last propositions
     CostQueue queue_;
 };
@@ -105,14 +107,20 @@ std::size_t RelaxedExploration<combine>::find_complete(std::int32_t cost) {
     const std::int32_t* const costs = costs_.data();
     std::uint8_t* const counters = counters_.data();
     std::uint32_t* const complete_rules = complete_.data();
-    std::size_t complete = 0;
+    std::uint32_t* const batch = batch_.data();
+    std::size_t reached = 0;
     queue_.pop_all(cost, [&](std::uint32_t proposition) {
-        if (costs[proposition] != cost) return;
-        for (const std::uint32_t index : task.precondition_of(proposition)) {
+        task.prefetch_users(proposition);
+        batch[reached] = proposition;
+        reached += costs[proposition] == cost;
+    });
+    std::size_t complete = 0;
+    for (std::size_t i = 0; i < reached; ++i) {
+        for (const std::uint32_t index : task.precondition_of(batch[i])) {
             complete_rules[complete] = index;
             complete += --counters[index] == 0;
         }
-    });
+    }
     return complete;
 }
 
@@ -125,10 +133,15 @@ std::size_t RelaxedExploration<combine>::keep_useful(std::size_t complete, std::
     std::uint32_t* const rules = complete_.data();
     std::size_t useful = 0;
     for (std::size_t i = 0; i < complete; ++i) {
-        task.prefetch(rules[std::min(i + kAhead, complete - 1)]);
+        task.prefetch_rule(rules[i + kAhead]);
         const RelaxedTask::Rule rule = task.rule(rules[i]);
-        std::int32_t dearest = costs[rule.effects.front()];
-        for (const std::uint32_t effect : rule.effects.subspan(1)) dearest = std::max(dearest, costs[effect]);
+        // Behind a single effect lies a precondition, which does not cost more than `cost`.
+        std::int32_t dearest = std::max(costs[rule.effects.data()[0]], costs[rule.effects.data()[1]]);
+        if (rule.effects.size() > 2) {
+            for (const std::uint32_t effect : rule.effects.subspan(2)) {
+                dearest = std::max(dearest, costs[effect]);
+            }
+        }
         rules[useful] = rules[i];
         const std::uint32_t least = static_cast<std::uint32_t>(cost) + static_cast<std::uint32_t>(rule.cost);
         useful += std::min(least, kLimit) < static_cast<std::uint32_t>(dearest);

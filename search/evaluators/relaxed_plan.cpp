@@ -22,11 +22,12 @@ Estimate RelaxedPlan::extract(const RelaxedExploration<Combine::sum>& exploratio
     cost_ = 0;
     need(relaxed_.goal);
     while (!open_.empty()) {
-        const std::uint32_t rule = exploration.supporter(open_.back());
+        const std::uint32_t proposition = open_.back();
         open_.pop_back();
+        const std::uint32_t rule = exploration.supporter(proposition);
         if (rule == RelaxedTask::kNone) continue;
         for (const std::uint32_t precondition : relaxed_.rule(rule).preconditions) need(precondition);
-        use(rule, state);
+        use(relaxed_.part(rule, proposition), state);
     }
     return static_cast<Estimate>(std::min<std::int64_t>(cost_, kDeadEnd - 1));
 }
@@ -37,8 +38,8 @@ void RelaxedPlan::need(std::uint32_t proposition) {
     open_.push_back(proposition);
 }
 
-void RelaxedPlan::use(std::uint32_t rule, StateView state) {
-    const std::uint32_t op = relaxed_.operator_of[rule];
+void RelaxedPlan::use(std::uint32_t part, StateView state) {
+    const std::uint32_t op = relaxed_.operator_of[part];
     if (op == relaxed_.operator_count) return;
     if (operator_marks_[op] != stamp_) {
         operator_marks_[op] = stamp_;
@@ -49,8 +50,9 @@ void RelaxedPlan::use(std::uint32_t rule, StateView state) {
     const auto holds = [state](Fact fact) {
         return state[static_cast<std::size_t>(fact.variable)] == fact.value;
     };
+    const std::uint32_t condition = relaxed_.condition_of.empty() ? 0 : relaxed_.condition_of[part];
     if (std::ranges::all_of(task_.preconditions[op], holds) &&
-        std::ranges::all_of(task_.conditions[relaxed_.condition_of[rule]], holds)) {
+        std::ranges::all_of(task_.conditions[condition], holds)) {
         preferred_marks_[op] = stamp_;
         preferred_.emplace_back(op);
     }

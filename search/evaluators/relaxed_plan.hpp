@@ -23,7 +23,7 @@ class RelaxedPlan {
 
   private:
     void need(std::uint32_t proposition);
-    void use(std::uint32_t rule, StateView state);
+    void use(std::uint32_t part, StateView state);
 
     const FiniteDomainTask& task_;
     const RelaxedTask& relaxed_;

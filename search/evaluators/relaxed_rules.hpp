@@ -43,6 +43,12 @@ struct Achievers {
 /// By fact: whether it can matter for the goal.
 std::vector<char> relevant_facts(const Rules& rules, const Achievers& achievers);
 
+inline constexpr std::uint32_t kNoRule = ~std::uint32_t{0};
+
+/// By rule: the next with the same preconditions and cost, or kNoRule. The goal's rule is like no other.
+/// `costs` by operator, as in RelaxedTask.
+std::vector<std::uint32_t> next_alike(const Rules& rules, std::span<const std::int32_t> costs);
+
 /// Clears the mark of each effect (by place in Rules::effects.items()) for which another rule with a mark
 /// needs no other preconditions and costs no more. `costs` by operator, as in RelaxedTask. Gives up where
 /// lists of achievers are long; the work is bounded to well under a second.

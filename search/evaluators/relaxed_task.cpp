@@ -33,38 +33,58 @@ RelaxedTask::RelaxedTask(const FiniteDomainTask& task, std::span<const Fact> goa
                             proposition_of.begin() + static_cast<std::ptrdiff_t>(task.fact_count()));
 
     users_begin.assign(proposition_count + 1, 0);
-    for (std::uint32_t i = 0; i < rules.size(); ++i) {
-        const std::uint32_t first = rules.effects.begin_of(i);
-        const auto count = static_cast<std::uint32_t>(rules.effects[i].size());
-        const auto left = static_cast<std::uint32_t>(
-            std::count(marks.begin() + first, marks.begin() + first + count, char{true}));
-        if (left == 0) continue;
-        const std::span<const std::uint32_t> preconditions = rules.preconditions[i];
-        const std::size_t precondition_count = std::max<std::size_t>(preconditions.size(), 1);
-        if (rules.effects[i].front() == rules.goal) goal_rule = rule_count();
-        record_begin.push_back(static_cast<std::uint32_t>(records.size()));
-        records.push_back(static_cast<std::uint32_t>(costs[rules.operators[i]]));
-        records.push_back(left);
-        records.push_back(static_cast<std::uint32_t>(precondition_count));
-        for (std::uint32_t j = first; j < first + count; ++j) {
-            if (marks[j]) records.push_back(proposition_of[effects[j]]);
+    std::vector<std::uint32_t> next(rules.size(), relaxed::kNoRule);
+    if (dominance == Dominance::drop) next = relaxed::next_alike(rules, costs);
+    std::vector<char> done(rules.size(), false);
+    for (std::uint32_t first = 0; first < rules.size(); ++first) {
+        if (done[first]) continue;
+        const auto begin = static_cast<std::uint32_t>(records.size());
+        records.insert(records.end(), {static_cast<std::uint32_t>(costs[rules.operators[first]]), 0});
+        const std::size_t parts = operator_of.size();
+        for (std::uint32_t i = first; i != relaxed::kNoRule; i = next[i]) {
+            done[i] = true;
+            const std::size_t before = records.size();
+            for (std::uint32_t j = rules.effects.begin_of(i); const std::uint32_t effect : rules.effects[i]) {
+                if (marks[j++]) records.push_back(proposition_of[effect]);
+            }
+            if (records.size() == before) continue;
+            part_end.push_back(static_cast<std::uint32_t>(records.size()) - begin - 2);
+            operator_of.push_back(rules.operators[i]);
+            if (task.has_conditional_effects()) condition_of.push_back(rules.conditions[i]);
         }
+        if (operator_of.size() == parts) {
+            records.resize(begin);
+            continue;
+        }
+        const std::span<const std::uint32_t> preconditions = rules.preconditions[first];
+        const std::size_t precondition_count = std::max<std::size_t>(preconditions.size(), 1);
+        if (rules.effects[first].front() == rules.goal) goal_rule = rule_count();
+        record_begin.push_back(begin);
+        records[begin + 1] = part_end.back() << 8 | static_cast<std::uint32_t>(precondition_count);
         if (preconditions.empty()) records.push_back(kTrue);
         for (const std::uint32_t fact : preconditions) records.push_back(proposition_of[fact]);
         precondition_counts.push_back(static_cast<std::uint8_t>(precondition_count));
-        operator_of.push_back(rules.operators[i]);
-        condition_of.push_back(rules.conditions[i]);
+        parts_begin.push_back(static_cast<std::uint32_t>(parts));
     }
+    parts_begin.push_back(static_cast<std::uint32_t>(operator_of.size()));
 
     for (std::uint32_t i = 0; i < rule_count(); ++i) {
         for (const std::uint32_t proposition : rule(i).preconditions) ++users_begin[proposition];
     }
     std::exclusive_scan(users_begin.begin(), users_begin.end(), users_begin.begin(), 0u);
     users.resize(users_begin.back());
-    std::vector<std::uint32_t> next(users_begin.begin(), users_begin.end() - 1);
+    std::vector<std::uint32_t> place(users_begin.begin(), users_begin.end() - 1);
     for (std::uint32_t i = 0; i < rule_count(); ++i) {
-        for (const std::uint32_t proposition : rule(i).preconditions) users[next[proposition]++] = i;
+        for (const std::uint32_t proposition : rule(i).preconditions) users[place[proposition]++] = i;
     }
+}
+
+std::uint32_t RelaxedTask::part(std::uint32_t index, std::uint32_t effect) const {
+    const std::span<const std::uint32_t> effects = rule(index).effects;
+    const auto place = static_cast<std::uint32_t>(std::ranges::find(effects, effect) - effects.begin());
+    const auto first = part_end.begin() + parts_begin[index];
+    const auto last = part_end.begin() + parts_begin[index + 1];
+    return static_cast<std::uint32_t>(std::upper_bound(first, last, place) - part_end.begin());
 }
 
 }  // namespace praxis

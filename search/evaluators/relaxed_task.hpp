@@ -4,8 +4,8 @@
 // Once reached, it stays reached. A *rule* reaches its effects once all its preconditions are reached, for
 // the cost of its operator. An operator without conditional effects is one rule with many effects; otherwise
 // there is one rule for each different effect condition, whose precondition is the operator's joined with the
-// condition. Axioms are rules without cost. All rules of one operator have the same `operator_of`; rules that
-// are no operator's have operator_count.
+// condition. Axioms are rules without cost. Rules with the same preconditions and cost may be merged: a rule
+// has *parts*, one for each operator. Parts that are no operator's have operator_count as `operator_of`.
 //
 // Two propositions are made up: kTrue, which always holds and is the precondition of rules that need nothing,
 // and `goal`, which `goal_rule` reaches from all goal facts at cost 0.
@@ -20,7 +20,7 @@
 //
 // Rules with more than kMaxPreconditions preconditions are split by made-up propositions, so that counters
 // fit into bytes. Everything is flat and immutable, to be shared by evaluators and threads. Limits: 2^32 - 1
-// rules, propositions and entries.
+// rules, propositions and entries, 2^24 effects of a rule.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +33,9 @@
 namespace praxis {
 
 struct RelaxedTask {
-    /// Whether effects that another rule has for no greater cost and no further precondition are dropped.
-    /// That keeps hmax and hadd values; LM-cut must not do it: an operator's effects then no longer share its
-    /// cost.
+    /// Whether effects that another rule has for no greater cost and no further precondition are dropped, and
+    /// rules with the same preconditions and cost become one. That keeps hmax and hadd values; LM-cut must
+    /// not do it: an operator's effects then no longer share its cost.
     enum class Dominance : std::uint8_t { keep, drop };
 
     RelaxedTask(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type,
@@ -45,8 +45,8 @@ struct RelaxedTask {
     static constexpr std::uint32_t kTrue = 0;
     static constexpr std::size_t kMaxPreconditions = 255;
 
-    /// A rule's record in `records`: cost, number of preconditions, number of effects, preconditions,
-    /// effects.
+    /// A rule's record in `records`: cost, number of effects times 256 plus number of preconditions, effects,
+    /// preconditions.
     struct Rule {
         std::int32_t cost;
         std::span<const std::uint32_t> preconditions;
@@ -54,23 +54,27 @@ struct RelaxedTask {
     };
     Rule rule(std::uint32_t index) const {
         const std::uint32_t* const record = records.data() + record_begin[index];
-        const std::uint32_t* const effects = record + 3;
-        return {static_cast<std::int32_t>(record[0]), {effects + record[1], record[2]}, {effects, record[1]}};
+        const std::uint32_t* const effects = record + 2;
+        const std::uint32_t effect_count = record[1] >> 8;
+        return {static_cast<std::int32_t>(record[0]),
+                {effects + effect_count, record[1] & 255},
+                {effects, effect_count}};
     }
-    /// Starts to bring a rule's record from memory.
-    void prefetch(std::uint32_t index) const {
-#if defined(__GNUC__)
-        __builtin_prefetch(records.data() + record_begin[index]);
-#else
-        (void)index;
-#endif
+    /// The part of a rule that has an effect.
+    std::uint32_t part(std::uint32_t index, std::uint32_t effect) const;
+    /// Start to bring a rule's record or the list of a proposition's rules from memory.
+    void prefetch_rule(std::uint32_t index) const { prefetch(records.data() + record_begin[index]); }
+    void prefetch_users(std::uint32_t proposition) const {
+        const std::uint32_t* const list = users.data() + users_begin[proposition];
+        prefetch(list);
+        prefetch(list + 16);
     }
     std::span<const std::uint32_t> precondition_of(std::uint32_t proposition) const {
         return {users.data() + users_begin[proposition], users.data() + users_begin[proposition + 1]};
     }
-    std::uint32_t rule_count() const {
-        return static_cast<std::uint32_t>(record_begin.size());
-    }
+    /// About how many nanoseconds an exploration takes.
+    std::uint64_t effort() const { return 500 + records.size() / 4; }
+    std::uint32_t rule_count() const { return static_cast<std::uint32_t>(record_begin.size()); }
 
     std::uint32_t proposition_count = 0;
     std::vector<std::uint32_t> first_fact;        ///< as in the task
@@ -81,13 +85,24 @@ struct RelaxedTask {
     std::vector<std::uint32_t> record_begin;  ///< by rule
     std::vector<std::uint32_t> records;
     std::vector<std::uint8_t> precondition_counts;  ///< by rule
-    std::vector<std::uint32_t> operator_of;         ///< by rule; increasing except for made-up rules
-    std::vector<std::uint32_t> condition_of;        ///< by rule: number of the effect condition in the task
+
+    // The parts of rules: what they have from one operator. With Dominance::keep, each rule is one part.
+    std::vector<std::uint32_t> parts_begin;   ///< by rule
+    std::vector<std::uint32_t> part_end;      ///< by part: place after its last effect among the rule's
+    std::vector<std::uint32_t> operator_of;   ///< by part
+    std::vector<std::uint32_t> condition_of;  ///< by part: number of the effect condition; empty: all are 0
 
     std::uint32_t operator_count = 0;
     std::vector<std::int32_t> costs;  ///< by operator; one more, zero, for rules that are no operator's
     std::uint32_t goal = 0;
     std::uint32_t goal_rule = 0;
+
+  private:
+    static void prefetch([[maybe_unused]] const std::uint32_t* place) {
+#if defined(__GNUC__)
+        __builtin_prefetch(place);
+#endif
+    }
 };
 
 }  // namespace praxis

@@ -9,10 +9,17 @@ namespace praxis {
 LandmarkSumEvaluator::LandmarkSumEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
                                            std::span<const std::int32_t> initial_values, CostType cost_type,
                                            const LandmarkOptions& options)
+    : LandmarkSumEvaluator(
+          task, goal,
+          std::make_shared<const LandmarkGraph>(make_landmark_graph(task, goal, initial_values, options)),
+          cost_type) {}
+
+LandmarkSumEvaluator::LandmarkSumEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
+                                           std::shared_ptr<const LandmarkGraph> graph, CostType cost_type)
     : task_(task),
       goal_(goal.begin(), goal.end()),
-      graph_(make_landmark_graph(task, goal, initial_values, options)),
-      status_(graph_),
+      graph_(std::move(graph)),
+      status_(*graph_),
       past_(status_.words()),
       required_again_(status_.words()),
       wanted_(status_.words()) {
@@ -24,10 +31,10 @@ void LandmarkSumEvaluator::find_achievers() {
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     // No fact is in two landmarks.
     std::vector<std::uint32_t> landmark_of(task_.fact_count(), kNone);
-    for (std::uint32_t landmark = 0; landmark < graph_.size(); ++landmark) {
-        for (const Fact fact : graph_.facts[landmark]) landmark_of[task_.fact_number(fact)] = landmark;
+    for (std::uint32_t landmark = 0; landmark < graph_->size(); ++landmark) {
+        for (const Fact fact : graph_->facts[landmark]) landmark_of[task_.fact_number(fact)] = landmark;
     }
-    std::vector<std::vector<Achiever>> achievers(graph_.size());
+    std::vector<std::vector<Achiever>> achievers(graph_->size());
     for (std::size_t op = 0; op < task_.operator_count(); ++op) {
         for (const GroundEffect& effect : task_.effects[op]) {
             const std::uint32_t landmark = landmark_of[task_.fact_number(effect.fact)];
@@ -40,11 +47,11 @@ void LandmarkSumEvaluator::find_achievers() {
 void LandmarkSumEvaluator::price(CostType cost_type) {
     const std::vector<std::int32_t> costs = operator_costs(task_, cost_type);
     const std::int32_t cheapest = costs.empty() ? 0 : *std::ranges::min_element(costs);
-    for (std::size_t landmark = 0; landmark < graph_.size(); ++landmark) {
+    for (std::size_t landmark = 0; landmark < graph_->size(); ++landmark) {
         std::int32_t first = kDeadEnd, any = kDeadEnd;
-        for (const std::uint32_t op : graph_.first_achievers[landmark]) first = std::min(first, costs[op]);
+        for (const std::uint32_t op : graph_->first_achievers[landmark]) first = std::min(first, costs[op]);
         for (const Achiever& achiever : achievers_[landmark]) any = std::min(any, costs[achiever.op.index()]);
-        if (graph_.derived[landmark]) first = any = cheapest;  // any operator may be the one
+        if (graph_->derived[landmark]) first = any = cheapest;  // any operator may be the one
         // Without achievers the landmark is out of reach, or holds at the start.
         first_costs_.push_back(first == kDeadEnd ? cheapest : first);
         costs_.push_back(any == kDeadEnd ? cheapest : any);
@@ -87,9 +94,9 @@ Estimate LandmarkSumEvaluator::sum() const {
         again_count += static_cast<std::size_t>(std::popcount(required_again_[word]));
     }
     if (unit_) {
-        sum = static_cast<std::int64_t>(graph_.size() - past_count + again_count);
+        sum = static_cast<std::int64_t>(graph_->size() - past_count + again_count);
     } else {
-        for (std::size_t landmark = 0; landmark < graph_.size(); ++landmark) {
+        for (std::size_t landmark = 0; landmark < graph_->size(); ++landmark) {
             if (!has_landmark(past_, landmark)) {
                 sum += first_costs_[landmark];
             } else if (has_landmark(required_again_, landmark)) {
@@ -103,10 +110,10 @@ Estimate LandmarkSumEvaluator::sum() const {
 void LandmarkSumEvaluator::prefer(StateView state) {
     std::ranges::fill(wanted_, LandmarkWord{0});
     bool all_past = true;
-    for (std::size_t landmark = 0; landmark < graph_.size(); ++landmark) {
+    for (std::size_t landmark = 0; landmark < graph_->size(); ++landmark) {
         if (has_landmark(past_, landmark)) continue;
         all_past = false;
-        if (!graph_.holds(landmark, state) && status_.leaf(landmark, past_)) {
+        if (!graph_->holds(landmark, state) && status_.leaf(landmark, past_)) {
             add_landmark(wanted_, landmark);
         }
     }
@@ -120,7 +127,7 @@ void LandmarkSumEvaluator::prefer(StateView state) {
 void LandmarkSumEvaluator::prefer(StateView state, LandmarkBits wanted, bool disjunctive) {
     for (std::size_t word = 0; word < wanted.size(); ++word) {
         for_each_landmark(wanted[word], word, [&](std::size_t landmark) {
-            if (graph_.disjunctive(landmark) != disjunctive) return;
+            if (graph_->disjunctive(landmark) != disjunctive) return;
             for (const Achiever& achiever : achievers_[landmark]) {
                 std::uint32_t& stamp = stamps_[achiever.op.index()];
                 if (stamp == stamp_ || !all_hold(task_.preconditions[achiever.op.index()], state) ||

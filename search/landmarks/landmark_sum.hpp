@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,9 @@ class LandmarkSumEvaluator final : public Evaluator {
     LandmarkSumEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
                          std::span<const std::int32_t> initial_values, CostType cost_type,
                          const LandmarkOptions& options = {});
+    /// `graph` is the task's for this goal and the initial state.
+    LandmarkSumEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
+                         std::shared_ptr<const LandmarkGraph> graph, CostType cost_type);
 
     Estimate evaluate(StateView state) override;
 
@@ -39,7 +43,7 @@ class LandmarkSumEvaluator final : public Evaluator {
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }
 
-    const LandmarkGraph& graph() const { return graph_; }
+    const LandmarkGraph& graph() const { return *graph_; }
     const LandmarkStatus& status() const { return status_; }
 
   private:
@@ -59,7 +63,7 @@ class LandmarkSumEvaluator final : public Evaluator {
 
     const FiniteDomainTask& task_;
     std::vector<Fact> goal_;
-    LandmarkGraph graph_;
+    std::shared_ptr<const LandmarkGraph> graph_;
     LandmarkStatus status_;
     std::vector<std::int32_t> first_costs_;  ///< by landmark: its cheapest first achiever's
     std::vector<std::int32_t> costs_;        ///< by landmark: its cheapest achiever's

@@ -81,7 +81,11 @@ TEST(Expression, EqualEvaluatorsAreShared) {
     test::add_variable(task, 2, 0);
     test::add_operator(task, {}, {{{0, 1}, {}}});
     const Query query = task_query(task);
-    Workshop workshop(task, query, 0, {});
+    const PreparedTask prepared(std::make_shared<FiniteDomainTask>(task));
+    SharedParts shared;
+    const Budget budget;
+    const SearchCallbacks callbacks;
+    Workshop workshop({prepared, query, shared, 0, 1, budget, callbacks, kInfinity});
     workshop.search_plan(
         check_expression("lazy_greedy([goalcount(), sum([g(), GoalCount(cost_type=normal)]), "
                          "blind()],preferred=[goalcount(normal)])"));

@@ -9,36 +9,19 @@
 #include <thread>
 
 #include "search/engines/search.hpp"
-#include "tests/search/state/random_task.hpp"
+#include "tests/search/engines/run.hpp"
 
 namespace praxis {
 namespace {
 
 using test::add_operator;
 using test::add_variable;
+using test::arbitrary_options;
+using test::arbitrary_task;
 using test::endless_task;
 using test::random_task;
 using test::RandomTaskOptions;
-
-Outcome run(FiniteDomainTask task, const std::string& expression, const Budget& budget = {},
-            const SearchCallbacks& callbacks = {}, std::uint64_t seed = 0) {
-    const PreparedTask prepared(std::make_shared<FiniteDomainTask>(std::move(task)));
-    Configuration config = configuration(expression);
-    config.seed = seed;
-    return search(prepared, task_query(prepared.task()), config, budget, callbacks);
-}
-
-RandomTaskOptions arbitrary_options() {
-    return {.variables = *rc::gen::inRange(1, 7),
-            .derived = *rc::gen::element(0, 0, 2, 4),
-            .operators = *rc::gen::element(0, 5, 10, 20, 30),
-            .largest_cost = *rc::gen::element(1, 5, 10000, 1000000000),
-            .conditional_effects = *rc::gen::arbitrary<bool>()};
-}
-
-FiniteDomainTask arbitrary_task() {
-    return random_task(*rc::gen::arbitrary<std::uint64_t>(), arbitrary_options());
-}
+using test::run;
 
 TEST(Astar, IsOptimal) {
     for (const char* expression :
@@ -81,15 +64,22 @@ TEST(Engines, FindPlansExactlyWhereThereAreSome) {
           "lazy_greedy([blind()],preferred=[ff()],preferred_successors_first=true)",
           "lazy_wastar([ff(cost_type=one),hmax()],preferred=[ff(cost_type=one)],w=3,cost_type=plusone)",
           "lazy(tiebreaking([goalcount(),g()]),reopen_closed=true)",
-          "eager_greedy([ff()],preferred=[ff()],boost=10)", "eager_greedy([goalcount(),add()])",
-          "eager_wastar([add()],w=2)", "eager_wastar([goalcount()],w=2,cost_type=one)",
-          "eager(alt([single(ff()),type_based([g(),goalcount()])]))", "eager(single(g()))",
+          "eager_greedy([ff()],preferred=[ff()],boost=10)",
+          "eager_greedy([goalcount(),add()])",
+          "eager_wastar([add()],w=2)",
+          "eager_wastar([goalcount()],w=2,cost_type=one)",
+          "eager(alt([single(ff()),type_based([g(),goalcount()])]))",
+          "eager(single(g()))",
           "lazy_greedy([landmark_sum(),ff()],preferred=[ff(),landmark_sum()])",
           "eager_greedy([landmark_sum(cost_type=plusone)],preferred=[landmark_sum(cost_type=plusone)])",
           "lazy(tiebreaking([novelty([goalcount()]),goalcount()]))",
           "lazy(alt([single(ff()),single(novelty([ff(),g()],width=1,forget=true))]),preferred=[ff()])",
-          "eager(tiebreaking([novelty([],memory=1),ff()]))", "h2(lazy_greedy([ff()],preferred=[ff()]))",
-          "iterated([h2(lazy_greedy([goalcount()]),seconds=1),lazy_greedy([ff()])],first=true)"}) {
+          "eager(tiebreaking([novelty([],memory=1),ff()]))",
+          "h2(lazy_greedy([ff()],preferred=[ff()]))",
+          "iterated([h2(lazy_greedy([goalcount()]),seconds=1),lazy_greedy([ff()])],first=true)",
+          "eager(tiebreaking([novelty([goalcount(),relaxed_counter()]),goalcount()]))",
+          "eager(tiebreaking([novelty([relaxed_counter()],width=1,sample=2),goalcount()]))",
+          "portfolio([lazy_greedy([ff()],preferred=[ff()]),eager(single(goalcount()))],first=true)"}) {
         EXPECT_TRUE(rc::check(expression, [=] {
             const FiniteDomainTask task = arbitrary_task();
             const std::int64_t best = test::cheapest_plan_cost(task);
@@ -186,7 +176,9 @@ TEST(Engines, AreDeterministic) {
         const FiniteDomainTask task = arbitrary_task();
         const auto seed = *rc::gen::arbitrary<std::uint64_t>();
         for (const char* expression : {"lazy_greedy([ff()],preferred=[ff()],randomize_successors=true)",
-                                       "eager(type_based([g()]))", "astar(lmcut())"}) {
+                                       "eager(type_based([g()]))", "astar(lmcut())",
+                                       "portfolio([eager(type_based([g()])),lazy_greedy([ff()])],first=true,"
+                                       "turn=0.00001)"}) {
             const Outcome first = run(task, expression, {}, {}, seed);
             const Outcome second = run(task, expression, {}, {}, seed);
             RC_ASSERT(first.plan == second.plan);
@@ -314,7 +306,8 @@ TEST_P(Limits, ReportProgress) {
 INSTANTIATE_TEST_SUITE_P(Engines, Limits,
                          testing::Values("astar(blind())",
                                          "lazy_wastar([goalcount()],randomize_successors=true)",
-                                         "eager(alt([single(goalcount()),type_based([g()])]))"));
+                                         "eager(alt([single(goalcount()),type_based([g()])]))",
+                                         "portfolio([astar(blind()),eager(single(goalcount()))])"));
 
 TEST(Search, EndsWhenItsOwnTimeIsOver) {
     EXPECT_EQ(run(endless_task(28), "astar(blind(),max_time=0.1)").status, Status::out_of_time);

@@ -1,6 +1,8 @@
 // Evaluators on tasks made by hand.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "search/evaluators/blind.hpp"
 #include "search/evaluators/ff.hpp"
 #include "search/evaluators/goal_count.hpp"
@@ -215,6 +217,31 @@ TEST(RelaxedTask, DropsWhatCannotMatterOrIsDominated) {
     EXPECT_EQ(fewer.rule_count(), 2u);
     EXPECT_EQ(fewer.operator_of[0], 0u);
     EXPECT_EQ(fewer.fact_proposition[task.fact_number({2, 1})], RelaxedTask::kNone);
+}
+
+TEST(RelaxedTask, MergesRulesWithTheSamePreconditionsAndCost) {
+    using Dominance = RelaxedTask::Dominance;
+    // Operators 0 and 2 need the same and cost the same; operator 1 costs more.
+    const FiniteDomainTask task = binary_task(5,
+                                              {{{{0, 0}}, {{{}, {1, 1}}, {{}, {2, 1}}}, 1},
+                                               {{{0, 0}}, {{{}, {3, 1}}}, 2},
+                                               {{{0, 0}}, {{{}, {4, 1}}}, 1}},
+                                              {{2, 1}, {3, 1}, {4, 1}, {1, 1}});
+    const RelaxedTask all(task, task.goal, CostType::normal, Dominance::keep);
+    EXPECT_EQ(all.rule_count(), 4u);
+    const RelaxedTask fewer(task, task.goal, CostType::normal, Dominance::drop);
+    ASSERT_EQ(fewer.rule_count(), 3u);
+    EXPECT_EQ(fewer.rule(0).effects.size(), 3u);
+    for (std::int32_t variable = 1; variable < 5; ++variable) {
+        const std::uint32_t effect = fewer.fact_proposition[task.fact_number({variable, 1})];
+        const std::uint32_t rule = variable == 3 ? 1 : 0;
+        const std::array<std::uint32_t, 5> expected{0, 0, 0, 1, 2};
+        EXPECT_EQ(fewer.operator_of[fewer.part(rule, effect)], expected[static_cast<std::size_t>(variable)]);
+    }
+    FFEvaluator ff(task, task.goal, CostType::normal);
+    ff.request_preferred();
+    EXPECT_EQ(ff.evaluate(task.initial_values), 4);
+    EXPECT_EQ(ff.preferred().size(), 3u);
 }
 
 }  // namespace

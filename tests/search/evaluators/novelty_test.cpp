@@ -85,7 +85,11 @@ TEST(Novelty, IsNeverTooNewWithSharedTables) {
     EXPECT_TRUE(rc::check([] {
         FiniteDomainTask task = test::random_task();
         NoveltyOptions small;
-        small.memory = 1;
+        if (*rc::gen::arbitrary<bool>()) {
+            small.memory = 64;  // few tables
+        } else {
+            small.largest_table = 0;  // the field
+        }
         NoveltyEvaluator exact(task, {});
         NoveltyEvaluator shared(task, small);
         exact.start(StateId(0), task.initial_values);
