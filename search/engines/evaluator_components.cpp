@@ -8,6 +8,7 @@
 #include "search/evaluators/lmcut.hpp"
 #include "search/evaluators/novelty.hpp"
 #include "search/evaluators/relaxed_counter.hpp"
+#include "search/evaluators/relaxed_task.hpp"
 #include "search/landmarks/landmark_sum.hpp"
 
 namespace praxis {
@@ -16,12 +17,25 @@ namespace {
 
 constexpr std::int64_t kLargeNumber = 1'000'000'000;
 
+std::shared_ptr<const RelaxedTask> relaxed_task(Workshop& workshop, CostType cost_type) {
+    const std::string name = "relaxed task " + std::to_string(static_cast<int>(cost_type));
+    return workshop.shared().get<RelaxedTask>(name, [&] {
+        return std::make_shared<const RelaxedTask>(workshop.task(), workshop.goal(), cost_type,
+                                                   RelaxedTask::Dominance::drop);
+    });
+}
+
 template <class HeuristicEvaluator, bool kCheap>
 Key heuristic_key(const Call& call, Workshop& workshop) {
     const CostType cost_type = cost_type_of(call);
     return Key::heuristic(workshop.heuristic(call, cost_type, kCheap, [&] {
-        return std::make_unique<HeuristicEvaluator>(workshop.task(), std::span<const Fact>(workshop.goal()),
-                                                    cost_type);
+        using Relaxed = std::shared_ptr<const RelaxedTask>;
+        if constexpr (std::is_constructible_v<HeuristicEvaluator, const FiniteDomainTask&, Relaxed>) {
+            return std::make_unique<HeuristicEvaluator>(workshop.task(), relaxed_task(workshop, cost_type));
+        } else {
+            return std::make_unique<HeuristicEvaluator>(workshop.task(),
+                                                        std::span<const Fact>(workshop.goal()), cost_type);
+        }
     }));
 }
 
@@ -145,7 +159,8 @@ Component relaxed_counter() {
     component.key = [](const Call& call, Workshop& workshop) {
         return Key::heuristic(workshop.heuristic(call, CostType::one, false, [&] {
             return std::make_unique<RelaxedCounterEvaluator>(workshop.task(),
-                                                             std::span<const Fact>(workshop.goal()));
+                                                             std::span<const Fact>(workshop.goal()),
+                                                             relaxed_task(workshop, CostType::one));
         }));
     };
     return component;

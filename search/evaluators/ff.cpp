@@ -3,8 +3,11 @@
 namespace praxis {
 
 FFEvaluator::FFEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type)
-    : exploration_(std::make_shared<const RelaxedTask>(task, goal, cost_type, RelaxedTask::Dominance::drop)),
-      plan_(task, exploration_.task()) {}
+    : FFEvaluator(task,
+                  std::make_shared<const RelaxedTask>(task, goal, cost_type, RelaxedTask::Dominance::drop)) {}
+
+FFEvaluator::FFEvaluator(const FiniteDomainTask& task, std::shared_ptr<const RelaxedTask> relaxed)
+    : exploration_(std::move(relaxed)), plan_(task, exploration_.task()) {}
 
 Estimate FFEvaluator::evaluate(StateView state) {
     preferred_ = {};

@@ -12,6 +12,8 @@ namespace praxis {
 class FFEvaluator final : public Evaluator {
   public:
     FFEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type);
+    /// `relaxed` is the task's relaxation for the goal and the cost type.
+    FFEvaluator(const FiniteDomainTask& task, std::shared_ptr<const RelaxedTask> relaxed);
 
     Estimate evaluate(StateView state) override;
     std::span<const OperatorId> preferred() const override { return preferred_; }

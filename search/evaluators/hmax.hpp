@@ -13,6 +13,8 @@ namespace praxis {
 class HmaxEvaluator final : public Evaluator {
   public:
     HmaxEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type);
+    /// `relaxed` is the task's relaxation for the goal and the cost type.
+    HmaxEvaluator(const FiniteDomainTask& task, std::shared_ptr<const RelaxedTask> relaxed);
 
     Estimate evaluate(StateView state) override { return exploration_.run(state); }
     std::uint64_t effort() const override { return exploration_.task().effort(); }

@@ -5,9 +5,10 @@
 
 namespace praxis {
 
-RelaxedCounterEvaluator::RelaxedCounterEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal)
+RelaxedCounterEvaluator::RelaxedCounterEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
+                                                 std::shared_ptr<const RelaxedTask> relaxed)
     : task_(task),
-      ff_(task, goal, CostType::one),
+      ff_(task, std::move(relaxed)),
       goal_count_(task, goal, CostType::one),
       is_new_(task.fact_count(), 0) {}
 

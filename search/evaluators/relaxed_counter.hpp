@@ -19,7 +19,9 @@ namespace praxis {
 /// partition for novelty, not as goal distance. The task must outlive the evaluator.
 class RelaxedCounterEvaluator final : public Evaluator {
   public:
-    RelaxedCounterEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal);
+    /// `relaxed` is the task's relaxation for the goal with unit costs.
+    RelaxedCounterEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal,
+                            std::shared_ptr<const RelaxedTask> relaxed);
 
     bool path_dependent() const override { return true; }
     void start(StateId initial, StateView state) override;

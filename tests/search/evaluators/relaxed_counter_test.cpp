@@ -41,7 +41,9 @@ Estimate naive_counter(const FiniteDomainTask& task, const std::vector<test::Sta
 TEST(RelaxedCounter, IsAsDefined) {
     EXPECT_TRUE(rc::check([] {
         const FiniteDomainTask task = test::random_task();
-        RelaxedCounterEvaluator counter(task, task.goal);
+        RelaxedCounterEvaluator counter(task, task.goal,
+                                        std::make_shared<const RelaxedTask>(task, task.goal, CostType::one,
+                                                                            RelaxedTask::Dominance::drop));
         std::vector<test::State> way{task.initial_values};
         counter.start(StateId(0), way.back());
         for (std::uint32_t step = 0;; ++step) {
