@@ -44,7 +44,7 @@ std::string width_search() {
 /// A focused search, a diverse one on the pruned task, and one that hardly looks at heuristics.
 std::string first_plan() {
     return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=2)," + width_search() +
-           "],first=true)";
+           "],first=true,turn=0.5)";
 }
 
 std::string lama_first() {
@@ -66,8 +66,9 @@ std::vector<AliasDescription> list_aliases() {
         {"agile", first_plan(),
          "the first plan, as fast as possible: three searches take turns, or run at once on as many threads: "
          "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search"},
-        {"anytime", "iterated([" + first_plan() + "," + lama_rest() + "])",
-         "the first plan soon, then better and better ones until the time is up"},
+        {"anytime", "iterated([" + first_plan() + ",portfolio([iterated([" + lama_rest() + "]),polish()])])",
+         "the first plan soon, then better and better ones until the time is up: LAMA's searches and the "
+         "improvement of the best plan take turns, or run at once on two threads"},
         {"lama-first", lama_first(), "LAMA's first search, for comparison"},
         {"lama", "iterated([" + lama_first() + "," + lama_rest() + "],share=false,improve=false)",
          "LAMA's sequence of searches, for comparison"},

@@ -188,6 +188,15 @@ std::vector<Component> engine_components() {
         nullptr);
     portfolio.composite = run_portfolio;
     all.push_back(std::move(portfolio));
+    Component polish = engine(
+        "polish",
+        "makes the best plan found so far cheaper by action elimination and plan neighbourhoods, again and "
+        "again with larger ones",
+        {{"first", OptionType::integer, "50000", "states of the first neighbourhoods", {}, 1},
+         {"states", OptionType::integer, "10000000", "states of the largest neighbourhoods", {}, 1}},
+        nullptr);
+    polish.composite = run_polish;
+    all.push_back(std::move(polish));
     Component pruned =
         engine("h2",
                "an engine on the task without the operators and effects that cannot be part of a "

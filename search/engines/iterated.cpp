@@ -22,14 +22,17 @@ class Iterated {
     Outcome operator()() {
         for (std::size_t next = 0; next < engines_.size();) {
             const std::int64_t bound = best_.plan ? std::min(best_.cost, run_.bound) : run_.bound;
-            const SearchCallbacks progress{{}, run_.callbacks.on_progress};
+            const SearchCallbacks callbacks{
+                [this](std::span<const OperatorId> plan, std::int64_t cost) { report(plan, cost); },
+                run_.callbacks.on_progress};
             const bool last = next + 1 == engines_.size();
-            const Budget share = share_ && best_.plan && !last
+            const Budget share = share_ && bound != kInfinity && !last
                                      ? run_.budget.within(std::max(kLeastSeconds, elapsed()))
                                      : run_.budget;
-            Outcome outcome = run_engine({run_.prepared, run_.query, run_.shared, run_.seed, run_.threads,
-                                          share, progress, bound, run_.shared_bound, run_.seat},
-                                         engines_[next]);
+            Outcome outcome =
+                run_engine({run_.prepared, run_.query, run_.shared, run_.incumbent, run_.seed, run_.threads,
+                            share, callbacks, bound, run_.shared_bound, run_.seat},
+                           engines_[next]);
             add(outcome.statistics);
             best_.status = outcome.status;
             const bool found = outcome.status == Status::solved;
@@ -51,19 +54,18 @@ class Iterated {
 
   private:
     void take(const Outcome& outcome) {
-        if (best_.plan && outcome.cost >= best_.cost) return;
-        report(*outcome.plan, outcome.cost);
+        if (outcome.cost > best_.cost) return;
         best_.optimal = outcome.optimal;
         if (!improve_ || first_ || best_.optimal || run_.budget.exhausted() != Stop::none) return;
         std::vector<OperatorId> better =
             improve_plan(run_.prepared, run_.query, *best_.plan,
                          run_.budget.within(std::max(kLeastSeconds, elapsed() / 2)));
-        const std::int64_t cost = cost_of(run_.prepared.task(), better).cost;
-        if (cost < best_.cost) report(std::move(better), cost);
+        report(better, cost_of(run_.prepared.task(), better).cost);
     }
 
-    void report(std::vector<OperatorId> plan, std::int64_t cost) {
-        best_.plan = std::move(plan);
+    void report(std::span<const OperatorId> plan, std::int64_t cost) {
+        if (best_.plan && cost >= best_.cost) return;
+        best_.plan.emplace(plan.begin(), plan.end());
         best_.cost = cost;
         if (run_.callbacks.on_plan) run_.callbacks.on_plan(*best_.plan, cost);
     }

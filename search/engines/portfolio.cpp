@@ -73,9 +73,11 @@ class Portfolio {
             [this](std::span<const OperatorId> plan, std::int64_t cost) { offer(plan, cost); },
             run_.callbacks.on_progress ? [this, i](const SearchStatistics& now) { report(i, now); }
                                        : std::function<void(const SearchStatistics&)>()};
-        const SearchRun part{run_.prepared, run_.query, run_.shared,
-                             run_.seed + i, 1,          budget,
-                             callbacks,     run_.bound, first_ ? run_.shared_bound : &bound_,
+        const SearchRun part{run_.prepared, run_.query,
+                             run_.shared,   run_.incumbent,
+                             run_.seed + i, 1,
+                             budget,        callbacks,
+                             run_.bound,    first_ ? run_.shared_bound : &bound_,
                              &seat};
         outcomes_[i] = run_engine(part, engines_[i]);
         const Outcome& outcome = outcomes_[i];

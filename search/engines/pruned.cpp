@@ -32,17 +32,19 @@ Outcome run_pruned(const SearchRun& run, const Call& call) {
     }
     if (pruned.removed_operators == 0) return run_engine(run, engine);
     const PreparedTask prepared(pruned.task, run.budget);
-    SharedParts shared;  // on another task
+    // The operators of the pruned task have other numbers.
+    SharedParts shared;
+    Incumbent incumbent;
     SearchCallbacks callbacks = run.callbacks;
-    if (run.callbacks.on_plan) {
-        callbacks.on_plan = [&](std::span<const OperatorId> plan, std::int64_t cost) {
-            std::vector<OperatorId> original;
-            for (const OperatorId op : plan) original.push_back(pruned.original[op.index()]);
-            run.callbacks.on_plan(original, cost);
-        };
-    }
-    Outcome outcome = run_engine({prepared, run.query, shared, run.seed, run.threads, run.budget, callbacks,
-                                  run.bound, run.shared_bound, run.seat},
+    callbacks.on_plan = [&](std::span<const OperatorId> plan, std::int64_t cost) {
+        incumbent.offer(plan, cost);
+        if (!run.callbacks.on_plan) return;
+        std::vector<OperatorId> original;
+        for (const OperatorId op : plan) original.push_back(pruned.original[op.index()]);
+        run.callbacks.on_plan(original, cost);
+    };
+    Outcome outcome = run_engine({prepared, run.query, shared, incumbent, run.seed, run.threads, run.budget,
+                                  callbacks, run.bound, run.shared_bound, run.seat},
                                  engine);
     if (outcome.plan) {
         for (OperatorId& op : *outcome.plan) op = pruned.original[op.index()];

@@ -131,9 +131,14 @@ Outcome search(const PreparedTask& prepared, const Query& query, const Configura
         return outcome;
     }
     SharedParts shared;
-    outcome = run_engine(
-        {prepared, query, shared, configuration.seed, configuration.threads, budget, callbacks, kInfinity},
-        call);
+    Incumbent incumbent;
+    SearchCallbacks noting = callbacks;
+    noting.on_plan = [&](std::span<const OperatorId> plan, std::int64_t cost) {
+        if (incumbent.offer(plan, cost) && callbacks.on_plan) callbacks.on_plan(plan, cost);
+    };
+    outcome = run_engine({prepared, query, shared, incumbent, configuration.seed, configuration.threads,
+                          budget, noting, kInfinity},
+                         call);
     outcome.statistics.peak_memory = peak_memory();
     return outcome;
 }

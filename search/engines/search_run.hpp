@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "search/engines/incumbent.hpp"
 #include "search/engines/search.hpp"
 #include "search/engines/shared_parts.hpp"
 
@@ -17,7 +18,8 @@ using SharedBound = std::atomic<std::int64_t>;
 struct SearchRun {
     const PreparedTask& prepared;
     const Query& query;
-    SharedParts& shared;  ///< of all searches for this query on this task
+    SharedParts& shared;         ///< of all searches for this query on this task
+    const Incumbent& incumbent;  ///< holds the plans that `callbacks.on_plan` was told of
     std::uint64_t seed = 0;
     int threads = 1;  ///< that may work at once
     const Budget& budget;
@@ -37,6 +39,9 @@ Outcome run_iterated(const SearchRun& run, const Call& call);
 
 /// Engines side by side (portfolio.cpp).
 Outcome run_portfolio(const SearchRun& run, const Call& call);
+
+/// Improvement of the best plan so far (polish.cpp).
+Outcome run_polish(const SearchRun& run, const Call& call);
 
 /// An engine on the task without what h2 shows to be useless (pruned.cpp).
 Outcome run_pruned(const SearchRun& run, const Call& call);

@@ -20,7 +20,8 @@ void for_each_literal(const Condition& condition, const Visit& visit) {
 
 /// By predicate: those it depends on positively are in its stratum or a lower one, those it depends on
 /// negatively in a lower one. Nothing if there are no such numbers.
-std::optional<std::vector<std::size_t>> strata_of(const LiftedTask& task, const std::vector<Condition>& bodies) {
+std::optional<std::vector<std::size_t>> strata_of(const LiftedTask& task,
+                                                  const std::vector<Condition>& bodies) {
     std::vector<std::size_t> strata(task.predicates.size(), 0);
     for (bool changed = true; changed;) {
         changed = false;

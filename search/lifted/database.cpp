@@ -97,8 +97,8 @@ void Database::derive(AtomNumber atom, bool for_good) {
 }
 
 std::size_t Database::memory() const {
-    return atoms_.memory() +
-           (stamps_.capacity() + membership_.capacity() + membership_begin_.capacity()) * sizeof(std::uint32_t);
+    return atoms_.memory() + (stamps_.capacity() + membership_.capacity() + membership_begin_.capacity()) *
+                                 sizeof(std::uint32_t);
 }
 
 }  // namespace praxis::lifted

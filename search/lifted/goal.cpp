@@ -28,7 +28,8 @@ Goal::Goal(Database& database, QuerySolver& solver) : database_(database), solve
 void Goal::finish() {
     std::erase_if(literals_, [&](const Literal& literal) {
         if (database_.task().predicates[literal.predicate].fluent) return false;
-        if (database_.holds(literal.predicate, literal.arguments.data()) == literal.negated) impossible_ = true;
+        if (database_.holds(literal.predicate, literal.arguments.data()) == literal.negated)
+            impossible_ = true;
         return true;
     });
     for (const Literal& literal : literals_) {
@@ -36,13 +37,13 @@ void Goal::finish() {
         if (atom >= signs_.size()) signs_.resize(atom + 1, 0);
         const std::int8_t sign = literal.negated ? -1 : 1;
         if (signs_[atom] == -sign) impossible_ = true;
-        if (signs_[atom] == 0 && sign > 0) ++positive_;
+        if (signs_[atom] == 0 && sign > 0) wanted_.push_back(atom);
         signs_[atom] = sign;
     }
 }
 
 std::uint32_t Goal::literals_missing(std::span<const AtomNumber> state) const {
-    std::uint32_t missing = positive_;
+    std::uint32_t missing = static_cast<std::uint32_t>(wanted_.size());
     for (const AtomNumber atom : state) missing -= static_cast<std::uint32_t>(sign(atom));
     return missing;
 }
@@ -54,9 +55,9 @@ std::uint32_t Goal::literals_missing(std::uint32_t before, const Change& change)
 }
 
 std::uint32_t Goal::conditions_missing() {
-    return static_cast<std::uint32_t>(std::ranges::count_if(conditions_, [&](std::vector<Query>& alternatives) {
-        return !solver_.solvable(alternatives, binding_.data());
-    }));
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        conditions_,
+        [&](std::vector<Query>& alternatives) { return !solver_.solvable(alternatives, binding_.data()); }));
 }
 
 }  // namespace praxis::lifted

@@ -1,6 +1,7 @@
 // The goal, conjunct by conjunct: how many do not hold is what guides the search.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -16,7 +17,8 @@ class Goal {
     Goal(Database& database, QuerySolver& solver);
     void finish();
 
-    /// A conjunct over what never changes does not hold.
+    /// A conjunct over what never changes does not hold, or two contradict each other; the counts below then
+    /// mean nothing.
     bool impossible() const { return impossible_; }
     /// All conjuncts are literals over fluent predicates: `literals_missing` says all.
     bool simple() const { return conditions_.empty(); }
@@ -26,6 +28,10 @@ class Goal {
     std::uint32_t literals_missing(std::uint32_t before, const Change& change) const;
     /// How many of the other conjuncts do not hold in the database's present state.
     std::uint32_t conditions_missing();
+    const std::vector<AtomNumber>& positive_literals() const { return wanted_; }
+    bool positive_literals_hold() const {
+        return std::ranges::all_of(wanted_, [&](AtomNumber atom) { return database_.holds(atom); });
+    }
     std::size_t size() const { return literals_.size() + conditions_.size(); }
 
   private:
@@ -40,7 +46,7 @@ class Goal {
     QuerySolver& solver_;
     bool impossible_ = false;
     std::vector<Literal> literals_;
-    std::uint32_t positive_ = 0;
+    std::vector<AtomNumber> wanted_;
     std::vector<std::int8_t> signs_;  ///< by atom: 1 wanted, -1 not wanted
     std::vector<std::vector<Query>> conditions_;
     std::vector<ObjectNumber> binding_;

@@ -1,17 +1,19 @@
 #include "search/lifted/lifted_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <new>
 #include <utility>
 #include <vector>
 
-#include "search/engines/bucket_queue.hpp"
 #include "search/engines/search_monitor.hpp"
 #include "search/lifted/actions.hpp"
 #include "search/lifted/axioms.hpp"
 #include "search/lifted/goal.hpp"
 #include "search/lifted/novelty_table.hpp"
+#include "search/lifted/open_queues.hpp"
+#include "search/lifted/relaxed_plan.hpp"
 #include "search/lifted/state_store.hpp"
 
 namespace praxis {
@@ -21,28 +23,6 @@ namespace {
 
 using Atoms = std::vector<AtomNumber>;
 
-/// Two queues over the same states, asked in turn.
-class OpenList {
-  public:
-    void push(StateNumber state, std::uint32_t missing, std::size_t goals, int novelty) {
-        const auto push_to = [&](Fifo<StateNumber>& bucket) { bucket.push(pool_, state); };
-        novel_.fill(static_cast<std::int64_t>(static_cast<std::size_t>(novelty) * (goals + 1) + missing), push_to);
-        greedy_.fill(missing, push_to);
-    }
-    bool empty() const { return novel_.empty() && greedy_.empty(); }
-    StateNumber pop() {
-        const auto take = [&](Fifo<StateNumber>& bucket) { return bucket.pop(pool_); };
-        greedy_turn_ = !greedy_turn_;
-        const bool greedy = novel_.empty() || (greedy_turn_ && !greedy_.empty());
-        return greedy ? greedy_.take(take) : novel_.take(take);
-    }
-
-  private:
-    ChunkPool<StateNumber> pool_;
-    KeyedBuckets<Fifo<StateNumber>> novel_, greedy_;
-    bool greedy_turn_ = false;
-};
-
 class Search {
   public:
     Search(const LiftedTask& task, const Budget& budget, const LiftedOptions& options,
@@ -51,16 +31,20 @@ class Search {
           budget_(budget),
           on_progress_(on_progress),
           database_(task),
-          solver_(database_, budget),
+          solver_(database_, budget_),
           axioms_(database_, solver_),
           actions_(database_, solver_),
           goal_(database_, solver_),
-          novelty_(options.pair_bits) {}
+          relaxed_plan_(database_, solver_, axioms_, actions_, goal_),
+          novelty_(options.pair_bits < 64 ? 0 : std::bit_floor(options.pair_bits)),
+          open_(goal_.size()) {}
 
     LiftedOutcome run();
 
   private:
+    // A state's note: whether it is expanded, and the number of the path its marks belong to.
     static constexpr std::uint32_t kExpanded = 1;
+    std::uint32_t path_of(StateNumber state) { return states_.note(state) >> 1; }
 
     StateNumber start();
     /// Expands a state; returns a goal state if it is one or leads to one.
@@ -70,6 +54,8 @@ class Search {
         axioms_.derive();
     }
     void apply(const Change& change);
+    /// From the state that is loaded, which has fewer goals missing than any before it.
+    void find_path(std::uint32_t missing);
     void extract_plan(StateNumber goal, LiftedOutcome& outcome);
     void add_step(const Atoms& before, const Atoms& after, Plan& plan);
     /// Now and then: reports, and asks whether to go on.
@@ -84,9 +70,15 @@ class Search {
     Axioms axioms_;
     Actions actions_;
     Goal goal_;
+    RelaxedPlan relaxed_plan_;
     NoveltyTable novelty_;
     StateStore states_;
-    OpenList open_;
+    // The relaxed plan at present: its number, from how many goals missing, and the work put into all of
+    // them.
+    std::uint32_t path_ = 0, path_missing_ = 0xffffffff;
+    std::size_t relaxed_actions_ = 0;
+    static constexpr std::size_t kMostRelaxed = 200'000;
+    OpenQueues open_;
     SearchStatistics statistics_;
     Budget::Clock::time_point start_ = Budget::Clock::now();
     Budget::Clock::time_point next_report_ = start_;
@@ -110,7 +102,8 @@ StateNumber Search::start() {
     goal_.finish();
     std::ranges::sort(initial);
     const StateNumber state = states_.insert(initial, kNoState).first;
-    novelty_.measure(goal_.literals_missing(initial), initial, initial, true);
+    if (!goal_.impossible())
+        novelty_.measure(goal_.literals_missing(initial) * (RelaxedPlan::kMost + 1), initial, initial, true);
     return state;
 }
 
@@ -135,6 +128,8 @@ StateNumber Search::expand(StateNumber state) {
     const std::uint32_t conditions = goal_.conditions_missing();
     if (literals + conditions == 0 && !solver_.stopped()) return state;
     ++statistics_.expanded;
+    if (literals + conditions < path_missing_) find_path(literals + conditions);
+    const std::uint64_t marks = path_of(state) == path_ ? states_.marks(state) : 0;
     StateNumber found = kNoState;
     actions_.for_each_applicable([&](std::uint32_t schema, const ObjectNumber*) {
         if (found != kNoState) return;
@@ -148,11 +143,27 @@ StateNumber Search::expand(StateNumber state) {
         const std::uint32_t missing = goal_.literals_missing(literals, change);
         if (missing == 0 && goal_.simple()) found = child;
         const auto estimate = static_cast<std::int32_t>(missing + conditions);
-        if (!statistics_.best_estimate || estimate < *statistics_.best_estimate) statistics_.best_estimate = estimate;
-        const int novelty = novelty_.measure(missing + conditions, child_, change.added, missing != literals);
-        open_.push(child, missing + conditions, goal_.size(), novelty);
+        if (!statistics_.best_estimate || estimate < *statistics_.best_estimate)
+            statistics_.best_estimate = estimate;
+        const std::uint64_t child_marks = marks | relaxed_plan_.bits(change.added);
+        states_.set_marks(child, child_marks);
+        states_.note(child) = path_ << 1;
+        const auto made = static_cast<std::uint32_t>(std::popcount(child_marks));
+        const int novelty = novelty_.measure((missing + conditions) * (RelaxedPlan::kMost + 1) + made, child_,
+                                             change.added, missing != literals || child_marks != marks);
+        open_.push(child, {missing + conditions, RelaxedPlan::kMost - made, novelty});
     });
     return found;
+}
+
+void Search::find_path(std::uint32_t missing) {
+    path_missing_ = missing;
+    ++path_;
+    // In all no more work than the search itself has done, and a start.
+    const std::size_t allowed = kMostRelaxed + statistics_.generated;
+    if (relaxed_actions_ >= allowed) return;
+    relaxed_actions_ += relaxed_plan_.explore(std::min(kMostRelaxed, allowed - relaxed_actions_));
+    load(atoms_);
 }
 
 bool Search::look() {
@@ -221,7 +232,7 @@ LiftedOutcome Search::run() {
             outcome.status = Status::unsolvable_early;
             return outcome;
         }
-        open_.push(initial, static_cast<std::uint32_t>(goal_.size()), goal_.size(), 1);
+        open_.push(initial, {static_cast<std::uint32_t>(goal_.size()), 0, 1});
         std::uint32_t countdown = 1;
         bool go_on = true;
         while (found == kNoState && !open_.empty() && go_on) {
@@ -258,7 +269,13 @@ LiftedOutcome lifted_search(const LiftedTask& task, const Budget& budget, const 
         outcome.unsupported = "the derived predicates depend on their own negation";
         return outcome;
     }
-    return lifted::Search(task, budget, options, on_progress).run();
+    try {
+        return lifted::Search(task, budget, options, on_progress).run();
+    } catch (const std::bad_alloc&) {
+        LiftedOutcome outcome;
+        outcome.status = Status::out_of_memory;
+        return outcome;
+    }
 }
 
 }  // namespace praxis

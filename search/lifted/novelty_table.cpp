@@ -9,7 +9,12 @@ bool NoveltyTable::mark_atoms(std::uint32_t partition, std::span<const AtomNumbe
     std::vector<std::uint64_t>& seen = atoms_[partition];
     bool fresh = false;
     for (const AtomNumber atom : atoms) {
-        if (atom / 64 >= seen.size()) seen.resize(atom / 64 + atom / 256 + 1, 0);
+        if (atom / 64 >= seen.size()) {
+            const std::size_t size = atom / 64 + atom / 256 + 1;
+            if (atom_words_ + size - seen.size() > kMostAtomWords) continue;
+            atom_words_ += size - seen.size();
+            seen.resize(size, 0);
+        }
         fresh |= set(seen, atom);
     }
     return fresh;
@@ -18,15 +23,11 @@ bool NoveltyTable::mark_atoms(std::uint32_t partition, std::span<const AtomNumbe
 bool NoveltyTable::mark_pairs(std::uint32_t partition, std::span<const AtomNumber> atoms,
                               std::span<const AtomNumber> added) {
     bool fresh = false;
-    for (const AtomNumber first : added) {
-        for (const AtomNumber second : atoms) {
-            const std::uint64_t low = std::min(first, second);
-            const std::uint64_t high = std::max(first, second);
-            std::uint64_t hash = (low << 32 | high) + std::uint64_t{partition} * 0xd6e8feb86659fd93u;
-            hash = (hash ^ hash >> 32) * 0x9e3779b97f4a7c15u;
-            hash = (hash ^ hash >> 29) * 0xbf58476d1ce4e5b9u;
-            fresh |= set(pairs_, static_cast<std::size_t>(hash >> 20) % pair_bits_);
-        }
+    for (const AtomNumber made : added) {
+        std::uint64_t row = (std::uint64_t{made} << 32 | partition) * 0x9e3779b97f4a7c15u;
+        row = (row ^ row >> 29) * 0xbf58476d1ce4e5b9u;
+        row >>= 20;
+        for (const AtomNumber beside : atoms) fresh |= set(pairs_, (row + beside) & (pairs_.size() * 64 - 1));
     }
     return fresh;
 }
@@ -34,7 +35,7 @@ bool NoveltyTable::mark_pairs(std::uint32_t partition, std::span<const AtomNumbe
 int NoveltyTable::measure(std::uint32_t partition, std::span<const AtomNumber> atoms,
                           std::span<const AtomNumber> added, bool moved) {
     const bool atom = mark_atoms(partition, moved ? atoms : added);
-    const bool pair = pair_bits_ != 0 && mark_pairs(partition, atoms, added);
+    const bool pair = !pairs_.empty() && mark_pairs(partition, atoms, added);
     return atom ? 1 : pair ? 2 : 3;
 }
 

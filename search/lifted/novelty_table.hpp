@@ -1,10 +1,12 @@
-// Novelty of states among those with as many goals missing (Lipovetzky and Geffner, AAAI 2017, BFWS).
+// Novelty of states, each among those of its *partition*: as many goals missing and as far along the relaxed
+// plan (Lipovetzky and Geffner, AAAI 2017, best-first width search).
 //
-// A state is of novelty 1 if it has an atom that no state before it had with the same number of missing goals,
-// 2 if it has such a pair of atoms, 3 otherwise. Pairs are looked for among those with an atom that the last
-// action added, and remembered as bits of a table of fixed size under a hash (Katz et al. and Singh et al. 2021
-// show that approximations do little harm): memory stays bounded, and a wrong answer only changes the order of
-// search.
+// A state is of novelty 1 if it has an atom that no state before it had in the partition, 2 if the last
+// action made an atom true beside another for the first time, 3 otherwise. Pairs are remembered as bits of a
+// table of fixed size, the row of the atom made starting at a place given by a hash, so that a state is
+// looked up in as many stretches as the action made atoms; rows may overlap. Atoms have a bit each in every
+// partition, up to 128 MiB in all; those beyond count as seen. So memory stays bounded, and a wrong answer
+// only changes the order of search.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +19,13 @@ namespace praxis::lifted {
 
 class NoveltyTable {
   public:
-    explicit NoveltyTable(std::size_t pair_bits) : pairs_(pair_bits / 64 + 1, 0), pair_bits_(pair_bits) {}
+    /// `pair_bits`: a power of two, at least 64; 0: no pairs are looked for.
+    explicit NoveltyTable(std::size_t pair_bits) : pairs_(pair_bits / 64, 0) {}
 
     /// Of a state with these atoms, of which the last action added some; and remembers it. `moved`: its
     /// predecessor belongs to another partition.
-    int measure(std::uint32_t partition, std::span<const AtomNumber> atoms,
-                std::span<const AtomNumber> added, bool moved);
+    int measure(std::uint32_t partition, std::span<const AtomNumber> atoms, std::span<const AtomNumber> added,
+                bool moved);
 
     std::size_t memory() const;
 
@@ -38,9 +41,11 @@ class NoveltyTable {
     bool mark_pairs(std::uint32_t partition, std::span<const AtomNumber> atoms,
                     std::span<const AtomNumber> added);
 
+    static constexpr std::size_t kMostAtomWords = std::size_t{1} << 24;
+
     std::vector<std::vector<std::uint64_t>> atoms_;  ///< by partition
+    std::size_t atom_words_ = 0;
     std::vector<std::uint64_t> pairs_;
-    std::size_t pair_bits_;
 };
 
 }  // namespace praxis::lifted

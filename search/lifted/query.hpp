@@ -2,8 +2,8 @@
 //
 // Conditions of the task are compiled (`QueryCompiler`) to alternatives, each a query: positive atoms over
 // views, which are joined; tests (different, equal, atom absent), run as soon as their variables have values;
-// and checks, nested conditions that are looked at when everything else holds: a universal condition is a check
-// that no counterexample has a solution. Equations are solved at compile time.
+// and checks, nested conditions that are looked at when everything else holds: a universal condition is a
+// check that no counterexample has a solution. Equations are solved at compile time.
 #pragma once
 
 #include <cstdint>

@@ -182,7 +182,8 @@ void QueryCompiler::add_type(std::uint32_t variable, TypeId type, Query& query) 
     Query::Atom atom{0, static_cast<std::uint32_t>(query.slots.size()), 0};
     query.slots.push_back(variable);
     atom.end = atom.begin + 1;
-    atom.view = database_.view({database_.type_predicate(type), {0}, {own_[variable] ? types_[variable].index() : 0}});
+    atom.view = database_.view(
+        {database_.type_predicate(type), {0}, {own_[variable] ? types_[variable].index() : 0}});
     query.atoms.push_back(atom);
     joined_[variable] = true;
 }
@@ -206,8 +207,7 @@ void QueryCompiler::add_check(const Condition& condition, Query& query) {
             for (Query& part : inner.compile(child, {}, {})) check.alternatives.push_back(std::move(part));
     } else {
         const Condition& child = condition.children.front();
-        check.alternatives =
-            inner.compile(check.wanted ? child : negation(child), condition.variables, {});
+        check.alternatives = inner.compile(check.wanted ? child : negation(child), condition.variables, {});
     }
     query.checks.push_back(std::move(check));
 }
@@ -265,7 +265,8 @@ void QueryCompiler::add(const Conjunct& conjunct, std::vector<std::uint32_t> own
         if (value == static_cast<TermCode>(variable)) continue;
         query.copies.push_back({variable, value});
         if (value < 0)
-            possible_ = possible_ && database_.task().types[type.index()].contains[static_cast<std::size_t>(~value)];
+            possible_ =
+                possible_ && database_.task().types[type.index()].contains[static_cast<std::size_t>(~value)];
         else
             add_type(static_cast<std::uint32_t>(value), type, query);
     }

@@ -2,7 +2,8 @@
 
 namespace praxis::lifted {
 
-QuerySolver::Choice QuerySolver::choose(const Query& query, std::uint32_t depth, const ObjectNumber* binding) {
+QuerySolver::Choice QuerySolver::choose(const Query& query, std::uint32_t depth,
+                                        const ObjectNumber* binding) {
     Choice best;
     for (std::uint32_t i = depth; i < query.order.size(); ++i) {
         const Query::Atom& atom = query.atoms[query.order[i]];
@@ -24,6 +25,7 @@ QuerySolver::Choice QuerySolver::choose(const Query& query, std::uint32_t depth,
 
 bool QuerySolver::passes(Query& query, const Query::Test& test, const ObjectNumber* binding) const {
     if (test.kind == Query::Test::Kind::absent) {
+        if (relaxed_) return true;
         for (std::uint32_t i = test.begin; i < test.end; ++i) {
             const ObjectNumber object = value(query.terms[i], binding);
             if (object == kUnbound) return true;
@@ -45,7 +47,8 @@ bool QuerySolver::solvable(std::vector<Query>& alternatives, ObjectNumber* bindi
 
 bool QuerySolver::checks_hold(Query& query, ObjectNumber* binding) {
     for (Query::Check& check : query.checks)
-        if (solvable(check.alternatives, binding) != check.wanted) return false;
+        if ((check.wanted || !relaxed_) && solvable(check.alternatives, binding) != check.wanted)
+            return false;
     return true;
 }
 

@@ -1,10 +1,10 @@
 // Solves queries over the present state by backtracking joins.
 //
-// At every step the atom with the fewest rows left, given the values chosen so far, comes next (fail first), so
-// that the order of a join follows the state and the binding instead of an estimate made beforehand: an atom
-// without rows ends a branch at once, as a semi-join would (the aim of the full reducers of Corrêa, Pommerening,
-// Helmert and Frances, ICAPS 2020, reached by looking ahead). Once the variables that tell solutions apart have
-// values, the rest is only a matter of existence and one witness is enough.
+// At every step the atom with the fewest rows left, given the values chosen so far, comes next (fail first),
+// so that the order of a join follows the state and the binding instead of an estimate made beforehand: an
+// atom without rows ends a branch at once, as a semi-join would (the aim of the full reducers of Corrêa,
+// Pommerening, Helmert and Frances, ICAPS 2020, reached by looking ahead). Once the variables that tell
+// solutions apart have values, the rest is only a matter of existence and one witness is enough.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,16 @@ class QuerySolver {
     /// One of the queries has a solution.
     bool solvable(std::vector<Query>& alternatives, ObjectNumber* binding);
 
+    /// While relaxed, what is required not to hold is ignored.
+    void relax(bool relaxed) {
+        relaxed_ = relaxed;
+        abandoned_ = false;
+    }
+    /// From within emit(), while relaxed: ends all solving until `relax` is called.
+    void abandon() { abandoned_ = true; }
+
     /// The budget has run out: what was returned since is incomplete.
-    bool stopped() const { return stopped_; }
+    bool stopped() const { return stopped_ || abandoned_; }
 
   private:
     enum class Step : std::uint8_t { exhausted, found, stop };
@@ -62,6 +70,8 @@ class QuerySolver {
     const Budget& budget_;
     std::uint32_t countdown_ = kTicks;
     bool stopped_ = false;
+    bool relaxed_ = false;
+    bool abandoned_ = false;
     static constexpr std::uint32_t kTicks = 1 << 14;
 };
 
@@ -75,8 +85,7 @@ bool QuerySolver::solve(Query& query, ObjectNumber* binding, Emit&& emit) {
     }
     bool possible = true;
     for (const Query::Test& test : query.tests) possible = possible && passes(query, test, binding);
-    const bool found =
-        possible && extend(query, 0, query.distinguish_count, binding, emit) == Step::found;
+    const bool found = possible && extend(query, 0, query.distinguish_count, binding, emit) == Step::found;
     for (std::size_t i = 0; i < query.own.size(); ++i) binding[query.own[i]] = query.saved[i];
     return found;
 }
@@ -90,7 +99,7 @@ QuerySolver::Step QuerySolver::finish(Query& query, ObjectNumber* binding, Emit&
         step = Step::found;
     }
     for (const Query::Copy& copy : query.copies) binding[copy.variable] = kUnbound;
-    return stopped_ ? Step::stop : step;
+    return stopped() ? Step::stop : step;
 }
 
 template <class Emit>
@@ -130,7 +139,8 @@ QuerySolver::Step QuerySolver::extend(Query& query, std::uint32_t depth, std::ui
             fits = binding[variables[slot]] == values[slot];
         for (std::size_t i = first_new; i < end_new && fits; ++i) {
             const std::uint32_t variable = variables[query.new_slots[i]];
-            for (std::uint32_t t = query.tests_begin[variable]; t < query.tests_begin[variable + 1] && fits; ++t)
+            for (std::uint32_t t = query.tests_begin[variable]; t < query.tests_begin[variable + 1] && fits;
+                 ++t)
                 fits = passes(query, query.tests[query.tests_of[t]], binding);
         }
         if (!fits) continue;

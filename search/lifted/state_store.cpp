@@ -34,7 +34,7 @@ std::pair<StateNumber, bool> StateStore::insert(std::span<const AtomNumber> atom
     node[0] = static_cast<std::uint32_t>(segments_.size() - 1);
     node[1] = static_cast<std::uint32_t>(used_);
     node[2] = parent;
-    node[3] = 0;
+    std::fill(node + 3, node + kNodeWords, 0);
     std::memcpy(segments_.back().words.get() + used_, candidate_.data(), words * 4);
     const auto result = set_.insert(
         hash(candidate_.data()), nodes_.size(),

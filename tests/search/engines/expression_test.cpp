@@ -85,7 +85,8 @@ TEST(Expression, EqualEvaluatorsAreShared) {
     SharedParts shared;
     const Budget budget;
     const SearchCallbacks callbacks;
-    Workshop workshop({prepared, query, shared, 0, 1, budget, callbacks, kInfinity});
+    const Incumbent incumbent;
+    Workshop workshop({prepared, query, shared, incumbent, 0, 1, budget, callbacks, kInfinity});
     workshop.search_plan(
         check_expression("lazy_greedy([goalcount(), sum([g(), GoalCount(cost_type=normal)]), "
                          "blind()],preferred=[goalcount(normal)])"));

@@ -9,6 +9,7 @@
 #include "search/lifted/actions.hpp"
 #include "search/lifted/axioms.hpp"
 #include "search/lifted/goal.hpp"
+#include "tests/search/ground/moving_task.hpp"
 #include "tests/search/ground/state_space.hpp"
 #include "tests/search/support/random_task.hpp"
 
@@ -75,7 +76,8 @@ class Comparison {
         axioms_.derive();
         std::string problem;
         for_each_tuple([&](std::size_t bit, std::size_t p, const test::NaiveSemantics::Tuple& tuple) {
-            if (database_.holds(static_cast<lifted::PredicateNumber>(p), tuple.data()) != space_.states[i][bit])
+            if (database_.holds(static_cast<lifted::PredicateNumber>(p), tuple.data()) !=
+                space_.states[i][bit])
                 problem = space_.semantics.atom_name(bit) + " differs";
         });
         if (!problem.empty()) return problem;
@@ -123,7 +125,7 @@ class Comparison {
     std::map<std::pair<const Schema*, test::NaiveSemantics::Tuple>, std::size_t> instances_;
 };
 
-TEST(LiftedSuccessors, AgreeWithAllBindings) {
+TEST(LiftedSuccessors, AgreeWithAllBindingsForAnyFormula) {
     std::size_t edges = 0, derived = 0;
     ASSERT_TRUE(rc::check([&] {
         const auto first = *rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>());
@@ -139,6 +141,20 @@ TEST(LiftedSuccessors, AgreeWithAllBindings) {
     }));
     EXPECT_GT(edges, 1000u);
     EXPECT_GT(derived, 100u);
+}
+
+TEST(LiftedSuccessors, AgreeWithAllBindingsWhereThingsMove) {
+    std::size_t edges = 0;
+    ASSERT_TRUE(rc::check([&] {
+        const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>());
+        const test::MovingTask moving = test::moving_task(seed);
+        const test::LiftedSpace space(*moving.task, 40);
+        const std::string difference = Comparison(*moving.task, space).run();
+        if (!difference.empty()) RC_LOG() << moving.domain << "\n" << moving.problem;
+        RC_ASSERT(difference == "");
+        for (const auto& list : space.edges) edges += list.size();
+    }));
+    EXPECT_GT(edges, 1000u);
 }
 
 }  // namespace
