@@ -51,6 +51,7 @@ Ending ground(Run& run, const GroundCommandOptions& options) {
     run.set_phase("grounding");
     SessionOptions session_options;
     session_options.replanning = false;
+    session_options.lifted_fallback = false;
     Session& session = *new Session(task, session_options, run.budget());  // not torn down: the process ends
     run.update([&](Report& report) { report.phases = session.phases(); });
     std::string text = table(session.phases());

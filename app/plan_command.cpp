@@ -135,7 +135,8 @@ Ending plan(Run& run, const PlanOptions& options) {
     run.update([&](Report& report) { report.phases = session.phases(); });
     if (run.verbose()) run.say(phases_text(session.phases()) + "configuration: " + configured.expression);
 
-    run.set_phase("search");
+    if (session.lifted()) run.say("too large to ground: a lifted search takes over");
+    run.set_phase(session.lifted() ? "lifted search" : "search");
     std::exception_ptr fault;
     Callbacks callbacks;
     std::stop_source enough;
@@ -155,6 +156,7 @@ Ending plan(Run& run, const PlanOptions& options) {
     run.update([&](Report& report) {
         report.statistics = result.statistics;
         report.optimal = result.optimal;
+        report.lifted = result.lifted;
     });
     if (run.verbose()) run.say(statistics_text(result.statistics));
     Ending ending = ending_of(result, run);

@@ -62,6 +62,7 @@ std::string to_json(const Report& report) {
         value["plan"] = to_value(*report.plan, *report.task);
         value["plan"]["optimal"] = report.optimal;
     }
+    if (report.lifted) value["lifted"] = true;
     if (report.verdict)
         value["verdict"] = Json{{"valid", report.verdict->valid},
                                 {"cost", number(report.verdict->cost)},

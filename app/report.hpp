@@ -23,6 +23,7 @@ struct Report {
     Task task;  ///< for names; null if it could not be loaded
     std::optional<Plan> plan;
     bool optimal = false;
+    bool lifted = false;  ///< planned without grounding
     std::optional<SearchStatistics> statistics;
     std::vector<PhaseStatistics> phases;
     std::optional<Verdict> verdict;

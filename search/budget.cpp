@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -35,6 +36,16 @@ Budget& Budget::stop_with(std::stop_token token) {
 Budget Budget::within(double seconds) const {
     Budget part = *this;
     part.limit_wall_time(seconds);
+    return part;
+}
+
+Budget Budget::share(double of_time, double of_memory) const {
+    Budget part = *this;
+    if (deadline_ || processor_deadline_) part.limit_wall_time(seconds_left() * of_time);
+    if (memory_) {
+        const std::size_t used = std::min(resident_memory(), *memory_);
+        part.limit_memory(used + static_cast<std::size_t>(static_cast<double>(*memory_ - used) * of_memory));
+    }
     return part;
 }
 

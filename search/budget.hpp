@@ -32,6 +32,8 @@ class Budget {
     Budget& limit_memory(std::size_t bytes);
     Budget& stop_with(std::stop_token token);
 
+    /// A budget with a part of the time and of the memory that is left.
+    Budget share(double of_time, double of_memory) const;
     std::stop_token stop_token() const { return token_; }
 
     /// A budget that ends when this one does, or after `seconds` of wall time.

@@ -1,5 +1,6 @@
 #include "search/session.hpp"
 
+#include <malloc.h>
 #include <time.h>
 
 #include <algorithm>
@@ -8,10 +9,15 @@
 #include <stdexcept>
 
 #include "search/atom_index.hpp"
+#include "search/lifted/lifted_search.hpp"
 #include "search/plan_names.hpp"
 
 namespace praxis {
 namespace {
+
+/// The shares of time and memory that grounding may take.
+constexpr double kGroundingTime = 0.4;
+constexpr double kGroundingMemory = 0.5;
 
 double thread_seconds() {
     timespec time{};
@@ -98,6 +104,9 @@ struct Session::Implementation {
     bool translate_state();
     bool translate_goal();
     bool respects_mutexes();
+    /// Grounding has failed: for good, if the budget itself is not exhausted.
+    void give_up_grounding(const Budget& budget);
+    Result plan_lifted(const Budget& budget, const Callbacks& callbacks) const;
     /// Whether the ground task can take another state or goal at all.
     bool adaptable() const {
         return ground.task && !ground.task->proved_unsolvable && !grounded_options.prune_irrelevant;
@@ -116,7 +125,8 @@ struct Session::Implementation {
     int groundings = 0;
     bool state_stale = true;  ///< the ground task cannot express the present state
     bool goal_stale = true;   ///< nor the present goal
-    bool stale() const { return state_stale || goal_stale; }
+    bool too_large = false;   ///< to be grounded
+    bool stale() const { return !too_large && (state_stale || goal_stale); }
     std::optional<PreparedTask> prepared;
     std::optional<AtomIndex> index;
     std::optional<PlanNames> plan_names;
@@ -138,9 +148,14 @@ void Session::Implementation::ground_now(const Budget& budget) {
     // A session whose state or goal has changed once will see more changes.
     if (options.replanning || state || goal) grounded_options.prune_irrelevant = false;
     try {
-        ground = praxis::ground(*grounded, grounded_options, budget);
+        const Budget share =
+            options.lifted_fallback ? budget.share(kGroundingTime, kGroundingMemory) : budget;
+        ground = praxis::ground(*grounded, grounded_options, share);
         ++groundings;
-        if (!ground.task) return;
+        if (!ground.task) {
+            give_up_grounding(budget);
+            return;
+        }
         const double start = thread_seconds();
         prepared.emplace(ground.task);
         ground.phases.push_back({"prepare", thread_seconds() - start, peak_memory(), {}});
@@ -149,10 +164,30 @@ void Session::Implementation::ground_now(const Budget& budget) {
         prepared.reset();
         ground.task.reset();
         ground.stop = Stop::memory;
+        give_up_grounding(budget);
         return;
     }
     goal_impossible = false;
     state_stale = goal_stale = false;
+}
+
+void Session::Implementation::give_up_grounding(const Budget& budget) {
+    if (!options.lifted_fallback) return;
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+    too_large = Budget(budget).exhausted() == Stop::none;
+}
+
+Result Session::Implementation::plan_lifted(const Budget& budget, const Callbacks& callbacks) const {
+    LiftedOutcome outcome = lifted_search(*present(), budget, {}, callbacks.on_progress);
+    Result result;
+    result.lifted = true;
+    result.status = outcome.unsupported.empty() ? outcome.status : status_of(ground.stop);
+    result.plan = std::move(outcome.plan);
+    result.statistics = outcome.statistics;
+    if (result.plan && callbacks.on_plan) callbacks.on_plan(*result.plan);
+    return result;
 }
 
 const Task& Session::Implementation::present() const {
@@ -286,6 +321,7 @@ Result Session::plan(const Configuration& configuration, const Budget& budget, c
         result.status = status_of(self.ground.stop);
         return result;
     }
+    if (self.too_large) return self.plan_lifted(budget, callbacks);
     if (self.goal_impossible) {
         result.status = Status::unsolvable_early;
         return result;
@@ -337,6 +373,9 @@ const LiftedTask& Session::task() const {
 }
 std::shared_ptr<const FiniteDomainTask> Session::ground_task() const {
     return implementation_->ground.task;
+}
+bool Session::lifted() const {
+    return implementation_->too_large;
 }
 const std::vector<PhaseStatistics>& Session::phases() const {
     return implementation_->ground.phases;

@@ -6,9 +6,9 @@
 //     if (result.plan) std::cout << praxis::to_string(*result.plan, *task);
 //
 // Sessions are independent of each other and may run on different threads; one session belongs to one thread
-// at a time. The same task, configuration and seed give the same plan, if the clock ends no part of the search.
-// Input errors are praxis::InputError (from `load`); wrong use is std::invalid_argument; a search that fails is
-// a status.
+// at a time. The same task, configuration and seed give the same plan, if the clock ends no part of the
+// search. Input errors are praxis::InputError (from `load`); wrong use is std::invalid_argument; a search
+// that fails is a status.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,11 @@ struct Result {
     std::optional<Plan> plan;  ///< the best plan found, whatever ended the search
     SearchStatistics statistics;
     bool optimal = false;  ///< the search proved that no plan is cheaper
+    /// The task was too large to ground, and a lifted search answered in place of the configuration's.
+    bool lifted = false;
 };
 
-/// What a caller may watch. Both are called on the planning thread.
+/// What a caller may watch. Never called twice at once; where several threads search, on any of them.
 struct Callbacks {
     std::function<void(const Plan&)> on_plan;                  ///< each better plan, as found
     std::function<void(const SearchStatistics&)> on_progress;  ///< a few times a second
@@ -57,12 +59,15 @@ struct SessionOptions {
     GroundOptions ground;
     /// The initial state and the goal will change: ground without pruning by the goal.
     bool replanning = true;
+    /// Where grounding would take more than two fifths of the time or half of the memory that the budget
+    /// leaves, plan without grounding (see `search/lifted`).
+    bool lifted_fallback = true;
 };
 
 class Session {
   public:
     /// Grounds the task. If the budget runs out, `ground_task` is null and the next `plan` tries again with
-    /// its own.
+    /// its own; if only grounding's share of it does, `plan` searches without.
     explicit Session(Task task, const SessionOptions& options = {}, const Budget& budget = {});
     ~Session();
     Session(Session&&) noexcept;
@@ -83,8 +88,10 @@ class Session {
 
     /// The task with the present initial state and goal; valid until they change.
     const LiftedTask& task() const;
-    /// The ground task now in use; null if grounding ran out of budget.
+    /// The ground task now in use; null if grounding ran out of its budget.
     std::shared_ptr<const FiniteDomainTask> ground_task() const;
+    /// The task was too large to ground; `plan` searches without.
+    bool lifted() const;
     const std::vector<PhaseStatistics>& phases() const;
     /// How often the session has grounded (1 unless a changed state or goal needed new facts).
     int groundings() const;

@@ -97,6 +97,30 @@ TEST_F(Limits, AddressSpaceOfTheSystemIsAMemoryLimit) {
     }
 }
 
+TEST_F(Limits, TasksTooLargeToGroundArePlannedWithout) {
+    std::string parameters, objects, conditions, links;
+    for (int i = 0; i < 12; ++i) parameters += " ?x" + std::to_string(i);
+    for (int i = 0; i < 11; ++i)
+        conditions += " (link ?x" + std::to_string(i) + " ?x" + std::to_string(i + 1) + ")";
+    for (int i = 0; i < 40; ++i) objects += " o" + std::to_string(i);
+    for (int i = 0; i < 11; ++i) links += " (link o" + std::to_string(i) + " o" + std::to_string(i + 1) + ")";
+    const std::string domain =
+        folder.write("huge-domain.pddl",
+                     "(define (domain huge) (:predicates (link ?x ?y) (cut ?x))\n"
+                     " (:action tie :parameters (?x ?y) :precondition (not (= ?x ?y)) :effect (link ?x ?y))\n"
+                     " (:action cut :parameters (" +
+                         parameters + ")\n  :precondition (and" + conditions + ") :effect (cut ?x11)))\n");
+    const std::string huge =
+        folder.write("huge.pddl", "(define (problem h) (:domain huge) (:objects" + objects + ")\n (:init " +
+                                      links + ") (:goal (cut o11)))\n");
+    const Outcome outcome = plan({domain, huge, "--time-limit", "2", "--json", report});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "lifted search")) << outcome.err;
+    const auto values = nlohmann::json::parse(read_file(report));
+    EXPECT_EQ(values["lifted"], true);
+    EXPECT_EQ(values["plan"]["length"], 1);
+}
+
 TEST_F(Limits, InterruptEndsCleanly) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const Outcome outcome = plan(hard({"--json", report}), {.signals = {{0.4, signal}}});

@@ -240,6 +240,55 @@ TEST(Session, BudgetEndsGroundingAndTheNextPlanTriesAgain) {
     EXPECT_EQ(session.plan(optimal()).status, Status::solved);
 }
 
+/// Twelve parameters over forty objects: more ground actions than any memory holds.
+Task huge() {
+    std::string parameters, objects, conditions, init;
+    for (int i = 0; i < 12; ++i) parameters += " ?x" + std::to_string(i);
+    for (int i = 0; i < 11; ++i)
+        conditions += " (link ?x" + std::to_string(i) + " ?x" + std::to_string(i + 1) + ")";
+    for (int i = 0; i < 40; ++i) objects += " o" + std::to_string(i);
+    for (int i = 0; i < 10; ++i) init += "(link o" + std::to_string(i) + " o" + std::to_string(i + 1) + ")";
+    const std::string domain =
+        "(define (domain huge) (:predicates (link ?x ?y) (cut ?x))"
+        " (:action tie :parameters (?x ?y) :precondition (not (= ?x ?y)) :effect (link ?x ?y))"
+        " (:action cut :parameters (" +
+        parameters + ") :precondition (and" + conditions + ") :effect (cut ?x11)))";
+    const std::string problem = "(define (problem h) (:domain huge) (:objects" + objects + ") (:init " +
+                                init + ") (:goal (cut o39)))";
+    return task_of(domain.c_str(), problem.c_str());
+}
+
+TEST(Session, TasksTooLargeToGroundArePlannedWithout) {
+    const Task task = huge();
+    Budget budget;
+    budget.limit_wall_time(4);
+    Session session(task, {}, budget);
+    EXPECT_EQ(session.ground_task(), nullptr);
+    EXPECT_TRUE(session.lifted());
+    int plans = 0;
+    Callbacks callbacks;
+    callbacks.on_plan = [&](const Plan&) { ++plans; };
+    const Result result = session.plan(alias("agile"), {}, callbacks);
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_TRUE(result.lifted);
+    EXPECT_FALSE(result.optimal);
+    EXPECT_EQ(plans, 1);
+    EXPECT_TRUE(validate(*task, *result.plan).valid);
+    session.set_goal({{atom(*task, "link o3 o1")}});
+    EXPECT_EQ(session.plan(alias("agile")).plan->steps.size(), 1u) << "and so are other goals";
+    EXPECT_EQ(session.groundings(), 1);
+}
+
+TEST(Session, NothingIsPlannedLiftedUnwanted) {
+    SessionOptions options;
+    options.lifted_fallback = false;
+    Budget budget;
+    budget.limit_wall_time(0.3);
+    Session session(huge(), options, budget);
+    EXPECT_FALSE(session.lifted());
+    EXPECT_EQ(session.plan(alias("agile"), budget).status, Status::out_of_time);
+}
+
 TEST(Session, CallbacksSeeThePlan) {
     Session session(delivery());
     std::vector<Plan> plans;
