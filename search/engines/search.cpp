@@ -9,6 +9,7 @@
 #include "search/engines/registry.hpp"
 #include "search/engines/search_context.hpp"
 #include "search/engines/syntax.hpp"
+#include "search/improve/plan_execution.hpp"
 
 namespace praxis {
 
@@ -98,7 +99,7 @@ Outcome run_engine(const SearchRun& run, const Call& call) {
                 plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
             if (context.goal) {
                 outcome.plan = context.space.plan_to(*context.goal);
-                outcome.cost = context.space.cost_of(*outcome.plan);
+                outcome.cost = cost_of(run.prepared.task(), *outcome.plan).cost;
                 outcome.optimal = plan.optimal;
             }
             outcome.no_cheaper_plan = outcome.status == Status::unsolvable ||

@@ -61,12 +61,6 @@ void SearchSpace::prepare_successors(StateId state, std::span<const OperatorId> 
     for (std::size_t i = 0; i < operators.size(); ++i) registry_.prefetch_state(batch_hashes_[i]);
 }
 
-bool SearchSpace::goal_holds(const std::vector<std::int32_t>& values) const {
-    return std::all_of(query_->goal.begin(), query_->goal.end(), [&](const Fact& fact) {
-        return values[static_cast<std::size_t>(fact.variable)] == fact.value;
-    });
-}
-
 std::vector<OperatorId> SearchSpace::plan_to(StateId state) {
     std::vector<OperatorId> plan;
     for (StateId parent = layout_.parent(node(state)); parent.valid(); parent = layout_.parent(node(state))) {
@@ -75,12 +69,6 @@ std::vector<OperatorId> SearchSpace::plan_to(StateId state) {
     }
     std::reverse(plan.begin(), plan.end());
     return plan;
-}
-
-std::int64_t SearchSpace::cost_of(std::span<const OperatorId> plan) const {
-    std::int64_t cost = 0;
-    for (OperatorId op : plan) cost += task().costs[op.index()];
-    return cost;
 }
 
 OperatorId SearchSpace::operator_between(StateId parent, StateId child) {

@@ -56,7 +56,9 @@ class SearchSpace {
     }
     /// A buffer for the values of one state.
     std::vector<std::int32_t> buffer() const { return std::vector<std::int32_t>(task().variable_count(), 0); }
-    bool goal_holds(const std::vector<std::int32_t>& values) const;
+    bool goal_holds(const std::vector<std::int32_t>& values) const {
+        return all_hold(query_->goal, values.data());
+    }
 
     /// What g adds for an operator.
     std::int64_t cost(OperatorId op) const { return cost_factor_ * task().costs[op.index()] + cost_summand_; }
@@ -77,7 +79,6 @@ class SearchSpace {
 
     /// The operators from the initial state to `state`; of several between two states a cheapest.
     std::vector<OperatorId> plan_to(StateId state);
-    std::int64_t cost_of(std::span<const OperatorId> plan) const;
 
     /// Packed state, node and set, without what is allocated ahead.
     double bytes_per_state() const { return registry_.bytes_per_state(); }

@@ -13,10 +13,7 @@ BlindEvaluator::BlindEvaluator(const FiniteDomainTask& task, std::span<const Fac
 }
 
 Estimate BlindEvaluator::evaluate(StateView state) {
-    const auto holds = [state](Fact fact) {
-        return state[static_cast<std::size_t>(fact.variable)] == fact.value;
-    };
-    return std::ranges::all_of(goal_, holds) ? 0 : cheapest_;
+    return all_hold(goal_, state.data()) ? 0 : cheapest_;
 }
 
 }  // namespace praxis

@@ -47,12 +47,9 @@ void RelaxedPlan::use(std::uint32_t part, StateView state) {
         cost_ += relaxed_.costs[op];
     }
     if (preferred_marks_[op] == stamp_) return;
-    const auto holds = [state](Fact fact) {
-        return state[static_cast<std::size_t>(fact.variable)] == fact.value;
-    };
     const std::uint32_t condition = relaxed_.condition_of.empty() ? 0 : relaxed_.condition_of[part];
-    if (std::ranges::all_of(task_.preconditions[op], holds) &&
-        std::ranges::all_of(task_.conditions[condition], holds)) {
+    if (all_hold(task_.preconditions[op], state.data()) &&
+        all_hold(task_.conditions[condition], state.data())) {
         preferred_marks_[op] = stamp_;
         preferred_.emplace_back(op);
     }

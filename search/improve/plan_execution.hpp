@@ -33,11 +33,11 @@ class PlanExecution {
     /// Values below are of all variables, complete.
     std::vector<std::int32_t> initial();
     bool applicable(OperatorId op, const std::vector<std::int32_t>& values) const {
-        return holds(parts_->task->preconditions[op.index()], values);
+        return all_hold(parts_->task->preconditions[op.index()], values.data());
     }
     /// Turns the state into the one after `op`.
     void apply(OperatorId op, std::vector<std::int32_t>& values);
-    bool goal(const std::vector<std::int32_t>& values) const { return holds(query_->goal, values); }
+    bool goal(const std::vector<std::int32_t>& values) const { return all_hold(query_->goal, values.data()); }
     PlanCost cost(OperatorId op) const { return {parts_->task->costs[op.index()], 1}; }
     /// The complete values of a packed state.
     void read(const std::uint32_t* words, std::vector<std::int32_t>& values) {
@@ -50,13 +50,6 @@ class PlanExecution {
     std::optional<std::vector<std::uint32_t>> trace(std::span<const OperatorId> plan);
 
   private:
-    static bool holds(std::span<const Fact> facts, const std::vector<std::int32_t>& values) {
-        for (const Fact& fact : facts) {
-            if (values[static_cast<std::size_t>(fact.variable)] != fact.value) return false;
-        }
-        return true;
-    }
-
     const PreparedTask::Parts* parts_;
     const Query* query_;
     std::vector<std::int32_t> before_;

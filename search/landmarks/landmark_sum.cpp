@@ -68,11 +68,6 @@ void LandmarkSumEvaluator::follow(StateId parent, OperatorId /*op*/, StateId chi
     status_.follow(parent, child, state);
 }
 
-bool LandmarkSumEvaluator::all_hold(std::span<const Fact> facts, StateView state) {
-    return std::ranges::all_of(
-        facts, [&](Fact fact) { return state[static_cast<std::size_t>(fact.variable)] == fact.value; });
-}
-
 Estimate LandmarkSumEvaluator::evaluate(StateView state) {
     preferred_.clear();
     if (goal_reached(state)) return 0;
@@ -130,8 +125,8 @@ void LandmarkSumEvaluator::prefer(StateView state, LandmarkBits wanted, bool dis
             if (graph_->disjunctive(landmark) != disjunctive) return;
             for (const Achiever& achiever : achievers_[landmark]) {
                 std::uint32_t& stamp = stamps_[achiever.op.index()];
-                if (stamp == stamp_ || !all_hold(task_.preconditions[achiever.op.index()], state) ||
-                    !all_hold(task_.conditions[achiever.condition], state)) {
+                if (stamp == stamp_ || !all_hold(task_.preconditions[achiever.op.index()], state.data()) ||
+                    !all_hold(task_.conditions[achiever.condition], state.data())) {
                     continue;
                 }
                 stamp = stamp_;

@@ -52,8 +52,7 @@ class LandmarkSumEvaluator final : public Evaluator {
         std::uint32_t condition;
     };
 
-    bool goal_reached(StateView state) const { return all_hold(goal_, state); }
-    static bool all_hold(std::span<const Fact> facts, StateView state);
+    bool goal_reached(StateView state) const { return all_hold(goal_, state.data()); }
     void price(CostType cost_type);
     void find_achievers();
     Estimate sum() const;

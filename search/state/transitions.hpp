@@ -32,14 +32,9 @@ class Transitions {
     template <class Visit>
     void for_each_fired(OperatorId id, const std::int32_t* before, Visit&& visit) const {
         for (const GroundEffect& effect : task_->effects[id.index()]) {
-            if (effect.condition == 0 || holds(effect.condition, before)) visit(effect.fact);
+            if (effect.condition == 0 || all_hold(task_->conditions[effect.condition], before))
+                visit(effect.fact);
         }
-    }
-    bool holds(std::uint32_t condition, const std::int32_t* values) const {
-        for (const Fact& fact : task_->conditions[condition]) {
-            if (values[fact.variable] != fact.value) return false;
-        }
-        return true;
     }
 
     const FiniteDomainTask* task_;

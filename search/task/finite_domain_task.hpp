@@ -30,6 +30,14 @@ struct Fact {
     friend auto operator<=>(const Fact&, const Fact&) = default;
 };
 
+/// Whether all facts are among the values, given by variable.
+inline bool all_hold(std::span<const Fact> facts, const std::int32_t* values) {
+    for (const Fact& fact : facts) {
+        if (values[fact.variable] != fact.value) return false;
+    }
+    return true;
+}
+
 /// Sets `fact` if the condition (list number `condition` of `FiniteDomainTask::conditions`) holds.
 struct GroundEffect {
     Fact fact;
