@@ -21,29 +21,30 @@ std::string with_evaluators(std::string expression, const std::string& cost_type
 std::string focused_greedy() {
     return with_evaluators(
         "lazy(alt([single(FF),single(FF,pref_only=true),single(LM,pref_only=true),"
-        "tiebreaking([novelty([LM,FF]),LM,g()])],boost=1000),preferred=[FF,LM],cost_type=one)",
+        "tiebreaking([novelty([LM,FF],sample=5000),LM,g()])],boost=1000),preferred=[FF,LM],cost_type=one)",
         "one");
 }
 
 /// LAMA's queues, one of states with new pairs of facts, which forgets what it has seen on progress, and one
-/// of random types of states.
+/// of random types of states (Maidu's h_new; Correa et al., IPC 2023); successors in random order, so that it
+/// differs from the focused search where that has bad luck.
 std::string diverse_greedy() {
     return with_evaluators(
         "lazy(alt([single(FF),single(FF,pref_only=true),single(LM),single(LM,pref_only=true),"
-        "type_based([FF,g()]),tiebreaking([novelty([FF,LM],forget=true),LM])],boost=1000),"
-        "preferred=[FF,LM],cost_type=one)",
+        "type_based([FF,g()]),tiebreaking([novelty([FF,LM],forget=true,sample=5000),LM])],boost=1000),"
+        "preferred=[FF,LM],cost_type=one,randomize_successors=true)",
         "one");
 }
 
 /// Best-first width search, BFWS(f5): states with new pairs of facts first, then few open goals (Lipovetzky
 /// and Geffner 2017).
 std::string width_search() {
-    return "eager(tiebreaking([novelty([goalcount(),relaxed_counter()]),goalcount()]))";
+    return "eager(tiebreaking([novelty([goalcount(),relaxed_counter()],sample=5000),goalcount()]))";
 }
 
 /// A focused search, a diverse one on the pruned task, and one that hardly looks at heuristics.
 std::string first_plan() {
-    return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=2)," + width_search() +
+    return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=1)," + width_search() +
            "],first=true,turn=0.5)";
 }
 
@@ -66,7 +67,7 @@ std::vector<AliasDescription> list_aliases() {
         {"agile", first_plan(),
          "the first plan, as fast as possible: three searches take turns, or run at once on as many threads: "
          "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search"},
-        {"anytime", "iterated([" + first_plan() + ",portfolio([iterated([" + lama_rest() + "]),polish()])])",
+        {"anytime", "iterated([" + first_plan() + ",portfolio([polish(),iterated([" + lama_rest() + "])])])",
          "the first plan soon, then better and better ones until the time is up: LAMA's searches and the "
          "improvement of the best plan take turns, or run at once on two threads"},
         {"lama-first", lama_first(), "LAMA's first search, for comparison"},

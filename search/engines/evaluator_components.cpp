@@ -131,7 +131,7 @@ Component novelty() {
          {"sample",
           OptionType::integer,
           "infinity",
-          "pairs to look at for each new fact, taken evenly from all (approximate novelty)",
+          "pairs to look at in a state, taken evenly from all (approximate novelty)",
           {},
           1}},
         "supported",

@@ -16,7 +16,7 @@ struct SearchContext {
         : plan(search_plan),
           evaluator(std::move(heuristics), plan),
           space(run.prepared.parts(), run.query, plan, evaluator.remembered()),
-          monitor(budget, run.callbacks, run.seat, evaluator.effort()) {}
+          monitor(budget, run.callbacks, run.seat) {}
 
     const SearchPlan& plan;
     StateEvaluator evaluator;

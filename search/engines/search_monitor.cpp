@@ -1,7 +1,6 @@
 #include "search/engines/search_monitor.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "search/engines/search_space.hpp"
 #include "search/engines/state_evaluator.hpp"
@@ -14,25 +13,17 @@ namespace {
 constexpr auto kReportInterval = std::chrono::milliseconds(250);
 constexpr auto kLookInterval = std::chrono::microseconds(1000);
 constexpr std::uint32_t kMaximumInterval = 1 << 14;
-constexpr std::uint64_t kLeastWork = 1000;
 
 }  // namespace
 
-SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
-                             std::uint64_t work_per_state)
+SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat)
     : budget_(budget),
       callbacks_(&callbacks),
       start_(Clock::now()),
       last_look_(start_),
       next_report_(start_ + kReportInterval),
-      seat_(seat),
-      work_per_state_(kLeastWork + work_per_state),
-      turn_end_(std::numeric_limits<std::uint64_t>::max()) {
-    if (seat_ != nullptr) begin_turn();
-}
-
-void SearchMonitor::begin_turn() {
-    turn_end_ = statistics.evaluated + std::max<std::uint64_t>(seat_->work() / work_per_state_, 1);
+      seat_(seat) {
+    if (seat_ != nullptr) turn_end_ = seat_->work();
 }
 
 bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluator) {
@@ -45,9 +36,9 @@ bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluat
         interval_ = std::max(interval_ / 4, 1u);
     }
     countdown_ = interval_;
-    if (statistics.evaluated >= turn_end_) {
+    if (seat_ != nullptr && work(evaluator) >= turn_end_) {
         seat_->pass();
-        begin_turn();
+        turn_end_ = work(evaluator) + seat_->work();
         last_look_ = Clock::now();
     }
     if (callbacks_->on_progress && now >= next_report_) {

@@ -6,26 +6,24 @@
 
 #include "search/budget.hpp"
 #include "search/engines/search.hpp"
+#include "search/engines/state_evaluator.hpp"
 
 namespace praxis {
 
 class SearchSpace;
 class Seat;
-class StateEvaluator;
 
 class SearchMonitor {
   public:
-    /// Where engines take turns, `seat` is the search's; null otherwise. The work of a turn is counted in
-    /// evaluated states, each so much as its evaluators estimate: a unit is about a nanosecond.
-    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
-                  std::uint64_t work_per_state);
+    /// Where engines take turns, `seat` is the search's; null otherwise.
+    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat);
 
     SearchStatistics statistics;
 
     /// To be asked at least once a millisecond or so of work; asks the budget about that often, and reports
     /// progress. True: the search must end.
     bool stop(const SearchSpace& space, const StateEvaluator& evaluator) {
-        if (--countdown_ != 0 && statistics.evaluated < turn_end_) return false;
+        if (--countdown_ != 0 && (seat_ == nullptr || work(evaluator) < turn_end_)) return false;
         return look(space, evaluator);
     }
     /// Why the search must end, as a status.
@@ -37,7 +35,10 @@ class SearchMonitor {
     using Clock = Budget::Clock;
     bool look(const SearchSpace& space, const StateEvaluator& evaluator);
 
-    void begin_turn();
+    /// What the search has done, in steps of about a nanosecond.
+    std::uint64_t work(const StateEvaluator& evaluator) const {
+        return evaluator.effort() + 400 * statistics.evaluated + 20 * statistics.generated;
+    }
 
     Budget budget_;
     const SearchCallbacks* callbacks_;
@@ -47,8 +48,7 @@ class SearchMonitor {
     std::uint32_t interval_ = 1;
     std::uint32_t countdown_ = 1;
     Seat* seat_;
-    std::uint64_t work_per_state_;
-    std::uint64_t turn_end_;  ///< by states evaluated
+    std::uint64_t turn_end_ = 0;  ///< the work at which the turn is over
 };
 
 }  // namespace praxis

@@ -43,7 +43,9 @@ Estimate StateEvaluator::estimate(std::size_t i, std::span<const std::int32_t> v
         for (const Key& key : heuristic.given) given_.push_back(key.value({estimates_, g}));
         heuristic.evaluator->given(given_);
     }
-    return heuristic.evaluator->evaluate(values);
+    const Estimate result = heuristic.evaluator->evaluate(values);
+    effort_ += heuristic.evaluator->effort();
+    return result;
 }
 
 bool StateEvaluator::progress() {
@@ -83,12 +85,6 @@ const std::vector<OperatorId>& StateEvaluator::preferred() {
 void StateEvaluator::evaluate_preferred(StateId state, std::span<const std::int32_t> values, std::int64_t g) {
     for (Evaluator* evaluator : path_dependent_) evaluator->at(state);
     for (std::size_t i : preferred_from_) estimates_[i] = estimate(i, values, g);
-}
-
-std::uint64_t StateEvaluator::effort() const {
-    std::uint64_t sum = 0;
-    for (const Heuristic& heuristic : heuristics_) sum += heuristic.evaluator->effort();
-    return sum;
 }
 
 void StateEvaluator::remember(const NodeLayout& layout, std::uint32_t* node) const {

@@ -39,8 +39,8 @@ class StateEvaluator {
     /// Evaluates only the heuristics that prefer operators.
     void evaluate_preferred(StateId state, std::span<const std::int32_t> values, std::int64_t g);
 
-    /// The effort of evaluating a state; see Evaluator.
-    std::uint64_t effort() const;
+    /// The effort of all evaluations so far; see Evaluator.
+    std::uint64_t effort() const { return effort_; }
 
     /// How many estimates `remember` writes into a node.
     std::size_t remembered() const { return remembered_.size(); }
@@ -63,6 +63,7 @@ class StateEvaluator {
     std::vector<bool> safe_;
     std::vector<Estimate> estimates_;
     std::vector<Estimate> best_;
+    std::uint64_t effort_ = 0;
     std::vector<OperatorId> preferred_;
     std::vector<bool> seen_;
 };

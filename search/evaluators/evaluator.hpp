@@ -53,9 +53,9 @@ class Evaluator {
     virtual std::span<const OperatorId> preferred() const { return {}; }
     virtual void request_preferred() {}
 
-    /// About how many nanoseconds an evaluation takes: where searches take turns, they count this, so that
-    /// runs can be repeated.
-    virtual std::uint64_t effort() const { return 0; }
+    /// About how many nanoseconds the last evaluation took, by counting its steps: where searches take turns,
+    /// this is what they count, so that runs can be repeated.
+    virtual std::uint64_t effort() const { return 100; }
 
     /// kDeadEnd is a proof that no plan starts in the state.
     virtual bool safe() const = 0;

@@ -21,7 +21,7 @@ class FFEvaluator final : public Evaluator {
     /// The relaxed plan of the state last evaluated, each operator once, in no order to execute; empty for
     /// dead ends.
     std::span<const OperatorId> relaxed_plan() const { return relaxed_plan_; }
-    std::uint64_t effort() const override { return exploration_.task().effort(); }
+    std::uint64_t effort() const override { return exploration_.effort(); }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }

@@ -15,6 +15,7 @@ class GoalCountEvaluator final : public Evaluator {
     GoalCountEvaluator(const FiniteDomainTask& task, std::span<const Fact> goal, CostType cost_type);
 
     Estimate evaluate(StateView state) override;
+    std::uint64_t effort() const override { return 10 + goal_.size(); }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }

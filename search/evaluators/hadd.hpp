@@ -18,7 +18,7 @@ class AddEvaluator final : public Evaluator {
     Estimate evaluate(StateView state) override;
     std::span<const OperatorId> preferred() const override { return preferred_; }
     void request_preferred() override { preferred_wanted_ = true; }
-    std::uint64_t effort() const override { return exploration_.task().effort(); }
+    std::uint64_t effort() const override { return exploration_.effort(); }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }

@@ -17,7 +17,7 @@ class HmaxEvaluator final : public Evaluator {
     HmaxEvaluator(const FiniteDomainTask& task, std::shared_ptr<const RelaxedTask> relaxed);
 
     Estimate evaluate(StateView state) override { return exploration_.run(state); }
-    std::uint64_t effort() const override { return exploration_.task().effort(); }
+    std::uint64_t effort() const override { return exploration_.effort(); }
     bool safe() const override { return true; }
     bool admissible() const override { return true; }
     bool consistent() const override { return true; }

@@ -61,8 +61,9 @@ Estimate NoveltyEvaluator::evaluate(StateView state) {
     if (options_.width == 1) return result;
     for (std::int32_t variable = 0; variable < static_cast<std::int32_t>(state.size()); ++variable)
         add_fact(variable);
-    const std::size_t step = facts_.size() / options_.sample + 1;
+    const std::size_t step = changed * facts_.size() / options_.sample + 1;
     turn_ = step == 1 ? 0 : (turn_ + 1) % step;
+    looks_ = changed * (facts_.size() / step);
     bool new_pair = false;
     for (std::size_t i = 0; i < changed; ++i) {
         for (std::size_t j = i + 1 + turn_; j < facts_.size(); j += step)

@@ -27,7 +27,7 @@ struct NoveltyOptions {
     std::size_t memory = std::size_t{1} << 27;  ///< bytes for tables, at most
     /// Bits of a table, at most; where more would be needed, partitions share the field.
     std::size_t largest_table = std::size_t{1} << 20;
-    /// Pairs of each new fact to look at, taken evenly from all.
+    /// Pairs to look at in a state, taken evenly from all; about.
     std::size_t sample = std::numeric_limits<std::size_t>::max();
 };
 
@@ -44,7 +44,7 @@ class NoveltyEvaluator final : public Evaluator {
         partition_.assign(values.begin(), values.end());
     }
     Estimate evaluate(StateView state) override;
-    std::uint64_t effort() const override { return 100 + 4 * task_.variable_count(); }
+    std::uint64_t effort() const override { return 100 + 2 * task_.variable_count() + 8 * looks_; }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }
@@ -68,7 +68,8 @@ class NoveltyEvaluator final : public Evaluator {
     std::map<std::vector<std::int64_t>, std::size_t> numbers_;  ///< by partition: its table
     std::uint64_t base_ = 0;  ///< where the table of the partition in hand begins, or its hash
     std::uint64_t generation_ = 0;
-    std::size_t turn_ = 0;  ///< shifts the sample
+    std::size_t turn_ = 0;     ///< shifts the sample
+    std::uint64_t looks_ = 0;  ///< at pairs, by the last evaluation
     std::vector<std::int64_t> partition_;
     std::vector<std::int64_t> best_;
     std::vector<std::uint32_t> facts_;   ///< of the state, those of `changed_` first

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace praxis {
 
@@ -22,6 +23,7 @@ void RelaxedCounterEvaluator::start(StateId, StateView state) {
 
 RelaxedCounterEvaluator::Root RelaxedCounterEvaluator::make_root(StateView state, Estimate open_goals) {
     Root root{open_goals, ff_.evaluate(state) == kDeadEnd, {}};
+    pending_ += ff_.effort();
     for (const OperatorId op : ff_.relaxed_plan()) {
         for (const GroundEffect& effect : task_.effects[op.index()]) {
             const std::uint32_t fact = task_.fact_number(effect.fact);
@@ -69,6 +71,7 @@ void RelaxedCounterEvaluator::follow(StateId parent, OperatorId op, StateId chil
 }
 
 Estimate RelaxedCounterEvaluator::evaluate(StateView) {
+    spent_ = std::exchange(pending_, 0);
     const std::uint32_t* record = (*records_)[at_.index()];
     if (roots_[record[0]].dead_end) return kDeadEnd;
     int count = 0;

@@ -31,7 +31,7 @@ class RelaxedCounterEvaluator final : public Evaluator {
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }
-    std::uint64_t effort() const override { return 100; }
+    std::uint64_t effort() const override { return 100 + spent_; }
 
   private:
     /// The facts of a relaxed plan that did not hold in its state; bit i of a record is about the i-th.
@@ -55,6 +55,8 @@ class RelaxedCounterEvaluator final : public Evaluator {
     std::optional<RecordPool> records_;  ///< by state: number of the root, bits
     std::vector<char> is_new_;           ///< by fact; scratch
     StateId at_;
+    std::uint64_t pending_ = 0;  ///< effort for relaxed plans since the last evaluation
+    std::uint64_t spent_ = 0;    ///< and before it
 };
 
 }  // namespace praxis

@@ -72,8 +72,6 @@ struct RelaxedTask {
     std::span<const std::uint32_t> precondition_of(std::uint32_t proposition) const {
         return {users.data() + users_begin[proposition], users.data() + users_begin[proposition + 1]};
     }
-    /// About how many nanoseconds an exploration takes.
-    std::uint64_t effort() const { return 500 + records.size() / 4; }
     std::uint32_t rule_count() const { return static_cast<std::uint32_t>(record_begin.size()); }
 
     std::uint32_t proposition_count = 0;

@@ -70,6 +70,7 @@ void LandmarkSumEvaluator::follow(StateId parent, OperatorId /*op*/, StateId chi
 
 Estimate LandmarkSumEvaluator::evaluate(StateView state) {
     preferred_.clear();
+    looks_ = 0;
     if (goal_reached(state)) return 0;
     if (at_.valid() && status_.known(at_)) {
         status_.past(at_, past_);
@@ -123,6 +124,7 @@ void LandmarkSumEvaluator::prefer(StateView state, LandmarkBits wanted, bool dis
     for (std::size_t word = 0; word < wanted.size(); ++word) {
         for_each_landmark(wanted[word], word, [&](std::size_t landmark) {
             if (graph_->disjunctive(landmark) != disjunctive) return;
+            looks_ += achievers_[landmark].size();
             for (const Achiever& achiever : achievers_[landmark]) {
                 std::uint32_t& stamp = stamps_[achiever.op.index()];
                 if (stamp == stamp_ || !all_hold(task_.preconditions[achiever.op.index()], state.data()) ||

@@ -39,6 +39,7 @@ class LandmarkSumEvaluator final : public Evaluator {
     std::span<const OperatorId> preferred() const override { return preferred_; }
     void request_preferred() override { preferred_requested_ = true; }
 
+    std::uint64_t effort() const override { return 100 + 6 * graph_->size() + 5 * looks_; }
     bool safe() const override { return true; }
     bool admissible() const override { return false; }
     bool consistent() const override { return false; }
@@ -76,6 +77,7 @@ class LandmarkSumEvaluator final : public Evaluator {
     std::vector<OperatorId> preferred_;
     std::vector<std::uint32_t> stamps_;  ///< by operator: when it was last added to the preferred ones
     std::uint32_t stamp_ = 0;
+    std::uint64_t looks_ = 0;  ///< at operators, by the last evaluation
 };
 
 }  // namespace praxis
