@@ -51,7 +51,8 @@ Actions::Actions(Database& database, QuerySolver& solver) : database_(database),
                 compiled.outcomes.push_back(std::move(outcome));
         }
         // Adds first: of an atom that is added and deleted, the add wins.
-        std::ranges::stable_partition(compiled.outcomes, &Outcome::add);
+        std::stable_partition(compiled.outcomes.begin(), compiled.outcomes.end(),
+                              [](const Outcome& outcome) { return outcome.add; });
         schemas_.push_back(std::move(compiled));
     }
 }
@@ -96,8 +97,7 @@ const Change& Actions::change(std::uint32_t schema) {
     }
     std::ranges::sort(change_.added);
     std::ranges::sort(change_.deleted);
-    const auto twice = std::ranges::unique(change_.deleted);
-    change_.deleted.erase(twice.begin(), twice.end());
+    change_.deleted.erase(std::unique(change_.deleted.begin(), change_.deleted.end()), change_.deleted.end());
     return change_;
 }
 
