@@ -53,10 +53,11 @@ std::string lama_first() {
 }
 
 /// What LAMA does after its first plan (Richter and Westphal 2010).
-std::string lama_rest() {
+std::string lama_rest(const std::string& last_options = "") {
     std::string rest = "lazy_greedy([FF,LM],preferred=[FF,LM])";
-    for (const char* weight : {"5", "3", "2", "1"})
+    for (const char* weight : {"5", "3", "2"})
         rest += std::string(",lazy_wastar([FF,LM],preferred=[FF,LM],w=") + weight + ")";
+    rest += ",lazy_wastar([FF,LM],preferred=[FF,LM],w=1" + last_options + ")";
     return with_evaluators(rest, "plusone");
 }
 
@@ -67,7 +68,9 @@ std::vector<AliasDescription> list_aliases() {
         {"agile", first_plan(),
          "the first plan, as fast as possible: three searches take turns, or run at once on as many threads: "
          "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search"},
-        {"anytime", "iterated([" + first_plan() + ",portfolio([polish(),iterated([" + lama_rest() + "])])])",
+        {"anytime",
+         "iterated([" + first_plan() + ",portfolio([polish(),iterated([" + lama_rest(",go_on=true") +
+             "])])])",
          "the first plan soon, then better and better ones until the time is up: LAMA's searches and the "
          "improvement of the best plan take turns, or run at once on two threads"},
         {"lama-first", lama_first(), "LAMA's first search, for comparison"},

@@ -31,7 +31,7 @@ class EagerSearch {
             space_.set_status(state, NodeStatus::closed);
             space_.read(state, values_);
             if (space_.goal_holds(values_)) {
-                context_.goal = state;
+                context_.found(state);
                 return Status::solved;
             }
             if (!expand(state)) return context_.monitor.status();

@@ -32,6 +32,9 @@ const OptionDescription kPreferredFirst{"preferred_successors_first", OptionType
 const OptionDescription kSeed{
     "random_seed", OptionType::integer, "-1", "negative: the seed of the search", {}, -1};
 
+const OptionDescription kGoOn{"go_on", OptionType::boolean, "false",
+                              "after a plan, go on where the search stands, for cheaper ones"};
+
 OptionDescription reopen_option(std::string default_value) {
     return {"reopen_closed", OptionType::boolean, std::move(default_value),
             "look again at states reached more cheaply"};
@@ -80,6 +83,7 @@ SearchPlan common_plan(const Call& call, Workshop& workshop, Expansion expansion
         if (call.integer("random_seed") >= 0)
             plan.seed = static_cast<std::uint64_t>(call.integer("random_seed"));
     }
+    if (has_option(call, "go_on")) plan.go_on = call.flag("go_on");
     if (has_option(call, "preferred")) plan.preferred = workshop.heuristics_in(call["preferred"]);
     return plan;
 }
@@ -159,7 +163,7 @@ std::vector<Component> engine_components() {
     all.push_back(engine("lazy_wastar",
                          "weighted A*: sorts by g + w * h; evaluates states when their turn comes",
                          with_common({kEvaluators, kPreferred, reopen_option("true"), boost_option("1000"),
-                                      weight_option(), kRandomize, kPreferredFirst, kSeed}),
+                                      weight_option(), kRandomize, kPreferredFirst, kSeed, kGoOn}),
                          wastar<Expansion::lazy>));
     all.push_back(
         engine("lazy", "best-first search with any open list; evaluates states when their turn comes",

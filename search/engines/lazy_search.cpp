@@ -62,14 +62,14 @@ class LazySearch {
     }
 
   private:
-    Status finished() const { return context_.goal ? Status::solved : context_.monitor.status(); }
+    Status finished() const { return context_.best ? Status::solved : context_.monitor.status(); }
 
     /// Evaluates a state, of which `values_` are the values, and files its successors. False: the search is
     /// over.
     bool visit(StateId state) {
         if (space_.goal_holds(values_)) {
-            context_.goal = state;
-            return false;
+            space_.set_status(state, NodeStatus::closed);
+            return context_.found(state);
         }
         ++statistics_.evaluated;
         const std::int64_t g = space_.g(state);

@@ -1,5 +1,6 @@
 // Improving the best plan so far again and again, with more effort each time.
 #include <algorithm>
+#include <chrono>
 
 #include "search/engines/search_plan.hpp"
 #include "search/engines/turns.hpp"
@@ -10,6 +11,10 @@ namespace praxis {
 
 Outcome run_polish(const SearchRun& run, const Call& call) {
     constexpr std::size_t kGrowth = 4;
+    constexpr std::size_t kFirstWithWindows = 1'000'000;
+    constexpr std::size_t kWindowStates = 300;
+    constexpr double kLeastSeconds = 1;
+    const Budget::Clock::time_point start = Budget::Clock::now();
     Outcome outcome;
     ImproveOptions options;
     const auto most = static_cast<std::size_t>(call.integer("states"));
@@ -22,9 +27,12 @@ Outcome run_polish(const SearchRun& run, const Call& call) {
             if (options.max_states == most) break;
             options.max_states = std::min(options.max_states * kGrowth, most);
         }
-        options.window_states = std::max<std::size_t>(options.max_states / 100, 100);
+        options.window_states = options.max_states < kFirstWithWindows ? 0 : kWindowStates;
         improved_from = best.cost;
-        std::vector<OperatorId> plan = improve_plan(run.prepared, run.query, best.plan, run.budget, options);
+        // Others may be waiting for their turns.
+        const double elapsed = std::chrono::duration<double>(Budget::Clock::now() - start).count();
+        const Budget turn = run.budget.within(std::max(kLeastSeconds, elapsed / 2));
+        std::vector<OperatorId> plan = improve_plan(run.prepared, run.query, best.plan, turn, options);
         const std::int64_t cost = cost_of(run.prepared.task(), plan).cost;
         if (cost < best.cost) {
             if (run.callbacks.on_plan) run.callbacks.on_plan(plan, cost);

@@ -97,23 +97,23 @@ Outcome run_engine(const SearchRun& run, const Call& call) {
         try {
             outcome.status =
                 plan.expansion == Expansion::eager ? eager_search(context) : lazy_search(context);
-            if (context.goal) {
-                outcome.plan = context.space.plan_to(*context.goal);
-                outcome.cost = cost_of(run.prepared.task(), *outcome.plan).cost;
-                outcome.optimal = plan.optimal;
-            }
             outcome.no_cheaper_plan = outcome.status == Status::unsolvable ||
                                       (outcome.status == Status::failed && context.complete && !own_bound &&
                                        plan.reopen_closed && plan.cost_type == CostType::normal);
         } catch (const std::bad_alloc&) {
             outcome.status = Status::out_of_memory;
         }
+        if (context.best) {
+            if (outcome.status == Status::failed) outcome.status = Status::solved;
+            outcome.plan = std::move(context.best);
+            outcome.cost = context.best_cost;
+            outcome.optimal = plan.optimal || outcome.no_cheaper_plan;
+        }
         context.monitor.finish(context.space, context.evaluator);
         outcome.statistics = context.monitor.statistics;
     } catch (const std::bad_alloc&) {
         outcome.status = Status::out_of_memory;
     }
-    if (outcome.plan && run.callbacks.on_plan) run.callbacks.on_plan(*outcome.plan, outcome.cost);
     return outcome;
 }
 

@@ -13,7 +13,7 @@ constexpr std::int32_t kLargeCost = 1 << 12;
 NodeLayout make_layout(const FiniteDomainTask& task, const SearchPlan& plan, std::size_t estimates) {
     const bool large =
         std::any_of(task.costs.begin(), task.costs.end(), [](auto cost) { return cost >= kLargeCost; });
-    const bool bounded = plan.bound != kInfinity || plan.shared_bound != nullptr;
+    const bool bounded = plan.bound != kInfinity || plan.shared_bound != nullptr || plan.go_on;
     const bool real_cost = bounded && plan.cost_type != CostType::normal;
     return NodeLayout(large && (plan.cost_type != CostType::one || real_cost), real_cost, estimates);
 }

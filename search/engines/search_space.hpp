@@ -62,6 +62,8 @@ class SearchSpace {
 
     /// What g adds for an operator.
     std::int64_t cost(OperatorId op) const { return cost_factor_ * task().costs[op.index()] + cost_summand_; }
+    /// Plans cost less than this from now on.
+    void lower_bound(std::int64_t bound) { bound_ = std::min(bound_, bound); }
     bool uniform_costs() const { return cost_factor_ == 0 || uniform_costs_; }
     /// A way of real cost `cost` and then `op` is not below the bound.
     bool exceeds_bound(std::int64_t cost, OperatorId op) const {

@@ -11,6 +11,7 @@ namespace praxis {
 namespace {
 
 constexpr std::size_t kShortest = 5;
+constexpr std::size_t kLongest = 64;
 constexpr std::int32_t kAny = -1;
 
 class Windows {
@@ -26,7 +27,8 @@ class Windows {
 
     std::vector<OperatorId> run() {
         bool whole = false;
-        for (std::size_t length = kShortest; !whole && budget_.exhausted() == Stop::none; length *= 2) {
+        for (std::size_t length = kShortest;
+             !whole && length <= kLongest && budget_.exhausted() == Stop::none; length *= 2) {
             whole = length >= plan_.size();
             slide(length);
         }

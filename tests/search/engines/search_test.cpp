@@ -102,6 +102,7 @@ TEST(Iterated, EndsWithACheapestPlan) {
          {"iterated([lazy_greedy([ff(cost_type=one)],cost_type=one),lazy_wastar([ff()],w=3),lazy_wastar([ff()"
           "])])",
           "iterated([eager_greedy([goalcount()]),astar(blind())],improve=false)",
+          "lazy_wastar([ff()],w=3,go_on=true)", "lazy_wastar([goalcount()],preferred=[ff()],go_on=true)",
           "h2(iterated([lazy_greedy([landmark_sum()]),eager_wastar([landmark_sum()],w=1)]))"}) {
         EXPECT_TRUE(rc::check(expression, [=] {
             const FiniteDomainTask task = arbitrary_task();
