@@ -69,8 +69,9 @@ def measure_peer(command, folder):
 
 
 def bytes_a_state(run, start):
+    """None where the search does not dominate the process's memory."""
     grown = run.memory - start.memory
-    return grown / run.states if run.states > 100_000 and grown > 0 else None
+    return grown / run.states if run.states > 100_000 and grown > run.memory / 2 else None
 
 
 def mean(values):

@@ -26,13 +26,12 @@ std::string focused_greedy() {
 }
 
 /// LAMA's queues, one of states with new pairs of facts, which forgets what it has seen on progress, and one
-/// of random types of states (Maidu's h_new; Correa et al., IPC 2023); successors in random order, so that it
-/// differs from the focused search where that has bad luck.
+/// of random types of states (Maidu's h_new; Correa et al., IPC 2023).
 std::string diverse_greedy() {
     return with_evaluators(
         "lazy(alt([single(FF),single(FF,pref_only=true),single(LM),single(LM,pref_only=true),"
         "type_based([FF,g()]),tiebreaking([novelty([FF,LM],forget=true,sample=5000),LM])],boost=1000),"
-        "preferred=[FF,LM],cost_type=one,randomize_successors=true)",
+        "preferred=[FF,LM],cost_type=one)",
         "one");
 }
 
@@ -42,14 +41,15 @@ std::string width_search() {
     return "eager(tiebreaking([novelty([goalcount(),relaxed_counter()],sample=5000),goalcount()]))";
 }
 
-/// A focused search, a diverse one on the pruned task, and one that hardly looks at heuristics.
-std::string first_plan() {
-    return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=1)," + width_search() +
-           "],first=true,turn=0.5)";
+std::string lama_first(const std::string& options = "") {
+    return with_evaluators("lazy_greedy([FF,LM],preferred=[FF,LM],cost_type=one" + options + ")", "one");
 }
 
-std::string lama_first() {
-    return with_evaluators("lazy_greedy([FF,LM],preferred=[FF,LM],cost_type=one)", "one");
+/// A focused search, a diverse one on the pruned task, one that hardly looks at heuristics, and one with
+/// other luck.
+std::string first_plan() {
+    return "portfolio([" + focused_greedy() + ",h2(" + diverse_greedy() + ",seconds=1)," + width_search() +
+           "," + lama_first(",randomize_successors=true") + "],first=true,turn=0.5)";
 }
 
 /// What LAMA does after its first plan (Richter and Westphal 2010).
@@ -66,8 +66,9 @@ std::string lama_rest(const std::string& last_options = "") {
 std::vector<AliasDescription> list_aliases() {
     return {
         {"agile", first_plan(),
-         "the first plan, as fast as possible: three searches take turns, or run at once on as many threads: "
-         "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search"},
+         "the first plan, as fast as possible: four searches take turns, or run at once on as many threads: "
+         "landmarks, FF and novelty; more diversity on a task pruned by mutexes of pairs; width search; LAMA "
+         "with luck of its own"},
         {"anytime",
          "iterated([" + first_plan() + ",portfolio([polish(),iterated([" + lama_rest(",go_on=true") +
              "])])])",
