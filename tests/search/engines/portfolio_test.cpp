@@ -85,7 +85,9 @@ TEST(Portfolio, EndsWithACheapestPlan) {
           "portfolio([lazy_greedy([goalcount()],cost_type=one),iterated([eager_greedy([ff()]),"
           "lazy_wastar([ff()],w=1)]),h2(lazy_greedy([ff()]))],turn=0.00001)",
           "iterated([portfolio([lazy_greedy([ff()]),lazy_greedy([goalcount()])],first=true),"
-          "astar(blind())])"}) {
+          "astar(blind())])",
+          "iterated([lazy_greedy([ff(cost_type=one)],cost_type=one),"
+          "portfolio([polish(first=10,states=1000),lazy_wastar([ff()],w=3,go_on=true)],turn=0.00001)])"}) {
         for (const int threads : {1, 2, 5}) {
             EXPECT_TRUE(rc::check(expression, [=] {
                 const FiniteDomainTask task = test::arbitrary_task();
@@ -127,6 +129,21 @@ TEST(Portfolio, DoesTheSameEveryTimeOnOneThread) {
         RC_ASSERT(first.statistics.generated == second.statistics.generated);
         RC_ASSERT(first.statistics.evaluated == second.statistics.evaluated);
     }));
+}
+
+TEST(Polish, MakesThePlanFoundBeforeCheaper) {
+    // A dear way in one step, a cheap one in two.
+    FiniteDomainTask task;
+    test::add_variable(task, 3, 0);
+    test::add_operator(task, {{0, 0}}, {{{0, 2}, {}}}, 9);
+    test::add_operator(task, {{0, 0}}, {{{0, 1}, {}}}, 2);
+    test::add_operator(task, {{0, 1}}, {{{0, 2}, {}}}, 2);
+    task.goal = {{0, 2}};
+    const Outcome outcome =
+        run(task, "iterated([lazy_greedy([ff(cost_type=one)],cost_type=one),polish()],improve=false)");
+    EXPECT_EQ(outcome.status, Status::solved);
+    EXPECT_EQ(outcome.cost, 4);
+    EXPECT_EQ(run(task, "polish()").status, Status::failed) << "there is no plan to improve";
 }
 
 TEST(Portfolio, ThePlanOfOneStopsTheOthers) {
