@@ -16,22 +16,14 @@ Prints a row a task and the geometric means of the ratios.
 import argparse
 import csv
 import json
-import math
 import os
-import pathlib
 import re
 import shlex
 import subprocess
 import tempfile
 import typing
 
-
-def tasks(suite):
-    for line in open(suite):
-        words = line.split("#")[0].split()
-        if len(words) == 3:
-            base = pathlib.Path(suite).resolve().parent
-            yield words[0], str(base / words[1]), str(base / words[2])
+from suite import mean, tasks
 
 
 class Run(typing.NamedTuple):
@@ -72,10 +64,6 @@ def bytes_a_state(run, start):
     """None where the search does not dominate the process's memory."""
     grown = run.memory - start.memory
     return grown / run.states if run.states > 100_000 and grown > run.memory / 2 else None
-
-
-def mean(values):
-    return math.exp(sum(map(math.log, values)) / len(values)) if values else float("nan")
 
 
 def main():

@@ -9,15 +9,15 @@ peer needs more than a second, the geometric mean of the ratios.
 """
 import argparse
 import csv
-import math
 import os
-import pathlib
 import resource
 import shlex
 import signal
 import subprocess
 import tempfile
 import threading
+
+from suite import mean, tasks
 
 
 def run(command, seconds, memory_mb):
@@ -35,18 +35,6 @@ def run(command, seconds, memory_mb):
         guard.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
-
-
-def tasks(suite):
-    for line in open(suite):
-        words = line.split("#")[0].split()
-        if len(words) == 3:
-            base = pathlib.Path(suite).resolve().parent
-            yield words[0], str(base / words[1]), str(base / words[2])
-
-
-def mean(values):
-    return math.exp(sum(map(math.log, values)) / len(values)) if values else float("nan")
 
 
 def main():

@@ -21,6 +21,14 @@ Component engine(std::string name, std::string summary, Options options,
     return component;
 }
 
+/// An engine that is made of others.
+Component composite(std::string name, std::string summary, Options options,
+                    Outcome (*run)(const SearchRun&, const Call&)) {
+    Component component = engine(std::move(name), std::move(summary), std::move(options), nullptr);
+    component.composite = run;
+    return component;
+}
+
 const OptionDescription kEvaluators{"evals", OptionType::evaluators, "",
                                     "heuristics; each gets an open list of its own"};
 const OptionDescription kPreferred{"preferred", OptionType::evaluators, "[]",
@@ -169,7 +177,7 @@ std::vector<Component> engine_components() {
         engine("lazy", "best-first search with any open list; evaluates states when their turn comes",
                with_common({open, reopen_option("false"), kPreferred, kRandomize, kPreferredFirst, kSeed}),
                with_open_list<Expansion::lazy>));
-    Component iterated = engine(
+    all.push_back(composite(
         "iterated", "engines one after the other, each looking for a plan cheaper than those before",
         {{"searches", OptionType::engines, "", "the engines"},
          {"first", OptionType::boolean, "false", "end with the first plan"},
@@ -178,10 +186,8 @@ std::vector<Component> engine_components() {
           "once there is a plan, an engine but the last may take as long as all before it, at least 2 s"},
          {"improve", OptionType::boolean, "true",
           "improve each plan by action elimination and plan neighbourhoods"}},
-        nullptr);
-    iterated.composite = run_iterated;
-    all.push_back(std::move(iterated));
-    Component portfolio = engine(
+        run_iterated));
+    all.push_back(composite(
         "portfolio",
         "engines side by side: as many at once as there are threads, the others wait for their turns; each "
         "looks for plans cheaper than those found by any",
@@ -189,27 +195,21 @@ std::vector<Component> engine_components() {
          {"first", OptionType::boolean, "false", "end with the first plan"},
          {"turn", OptionType::real, "1",
           "how long the first turn of each engine lasts, in seconds, about; later turns are longer"}},
-        nullptr);
-    portfolio.composite = run_portfolio;
-    all.push_back(std::move(portfolio));
-    Component polish = engine(
+        run_portfolio));
+    all.push_back(composite(
         "polish",
         "makes the best plan found so far cheaper by action elimination and plan neighbourhoods, again and "
         "again with larger ones",
         {{"first", OptionType::integer, "50000", "states of the first neighbourhoods", {}, 1},
          {"states", OptionType::integer, "10000000", "states of the largest neighbourhoods", {}, 1}},
-        nullptr);
-    polish.composite = run_polish;
-    all.push_back(std::move(polish));
-    Component pruned =
-        engine("h2",
-               "an engine on the task without the operators and effects that cannot be part of a "
-               "plan by mutexes of pairs (Alcazar and Torralba 2015)",
-               {{"search", OptionType::engine, "", "the engine"},
-                {"seconds", OptionType::real, "5", "what the search for mutexes may take"}},
-               nullptr);
-    pruned.composite = run_pruned;
-    all.push_back(std::move(pruned));
+        run_polish));
+    all.push_back(
+        composite("h2",
+                  "an engine on the task without the operators and effects that cannot be part of a "
+                  "plan by mutexes of pairs (Alcazar and Torralba 2015)",
+                  {{"search", OptionType::engine, "", "the engine"},
+                   {"seconds", OptionType::real, "5", "what the search for mutexes may take"}},
+                  run_pruned));
     return all;
 }
 

@@ -21,7 +21,8 @@ class Portfolio {
         : run_(run),
           engines_(call["searches"].calls),
           first_(call.flag("first")),
-          work_(static_cast<std::uint64_t>(call["turn"].real * kWorkPerSecond)),
+          work_(
+              static_cast<std::uint64_t>(std::clamp(call["turn"].real, 0.0, kLongestTurn) * kWorkPerSecond)),
           turns_(engines_.size(), static_cast<std::size_t>(std::max(run.threads, 1))),
           bound_(run.shared_bound == nullptr ? run.bound : std::min(run.bound, run.shared_bound->load())),
           budget_(run.budget),
@@ -144,6 +145,7 @@ class Portfolio {
         }
     }
 
+    static constexpr double kLongestTurn = 1e9;    ///< seconds
     static constexpr double kWorkPerSecond = 1e9;  ///< see SearchMonitor
 
     const SearchRun& run_;
