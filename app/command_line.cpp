@@ -66,6 +66,7 @@ constexpr const char* kPlanUsage =
     "  plan PROBLEM [options]                     the same, with the domain file found beside the problem\n"
     "  plan validate DOMAIN PROBLEM PLAN          check a plan, say which action fails and why\n"
     "  plan ground DOMAIN PROBLEM [--sas FILE]    show what the grounder makes of a task\n"
+    "  plan belief DOMAIN PROBLEM                 plan and act when not everything is known\n"
     "  plan list [evaluators|engines|aliases]     every component with its options\n"
     "\n'-' reads a file from standard input. 'plan COMMAND --help' tells more about a command.";
 
@@ -94,6 +95,17 @@ constexpr const char* kGroundFooter =
     "Examples:\n"
     "  plan ground domain.pddl problem.pddl\n"
     "  plan ground domain.pddl problem.pddl --sas output.sas";
+
+constexpr const char* kBeliefUsage =
+    "\nUsage:\n  plan belief DOMAIN PROBLEM [options]\n  plan belief PROBLEM [options]";
+constexpr const char* kBeliefFooter =
+    "Acts in a simulated world: plans with what is known, executes, reads, and plans again where things are\n"
+    "not as hoped, once for each hidden world. One run is told step by step, several as a table.\n"
+    "\nExit codes: 0 every run reached the goal; 12 not every run; 31 wrong input; 34 unsupported input\n"
+    "\nExamples:\n"
+    "  plan belief domain.pddl problem.pddl\n"
+    "  plan belief domain.pddl problem.pddl --world hidden.pddl --runs 20\n"
+    "  plan belief domain.pddl problem.pddl --seeds 200 --noise 0.1 --json report.json";
 
 constexpr const char* kListUsage = "\nUsage:\n  plan list [evaluators|engines|aliases]";
 constexpr const char* kListFooter = "Examples:\n  plan list\n  plan list evaluators";
@@ -198,6 +210,43 @@ Request parse_ground_command(std::vector<std::string> arguments) {
     return options;
 }
 
+Request parse_belief_command(std::vector<std::string> arguments) {
+    BeliefOptions options;
+    CLI::App app("plan belief: plans and acts when not everything is known");
+    set_usage(app, kBeliefUsage, kBeliefFooter);
+    std::vector<std::string> files;
+    app.add_option("FILES", files)->group("");
+    app.add_option("-w,--world", options.worlds, "A file with hidden worlds; may be given several times")
+        ->type_name("FILE");
+    auto* runs = app.add_option("--runs", options.runs, "Only N of the hidden worlds, evenly spread")
+                     ->type_name("N")
+                     ->check(non_negative_integer);
+    app.add_option("--seeds", options.samples, "N worlds drawn from the initial uncertainty")
+        ->type_name("N")
+        ->check(non_negative_integer)
+        ->excludes(runs);
+    app.add_option("--noise", options.noise, "Probability that a reading is wrong (default: 0)")
+        ->type_name("P")
+        ->check(CLI::Range(0.0, 0.499).description(""));
+    app.add_option("--max-steps", options.max_steps, "Most actions of one run (default: 1000)")
+        ->type_name("N")
+        ->check(non_negative_integer);
+    app.add_option("-s,--search", options.search, "The search for each plan; see 'plan list'")
+        ->type_name("EXPR");
+    app.add_option("--seed", options.seed, "Seed of whatever is random (default: 0)")
+        ->type_name("N")
+        ->check(non_negative_integer);
+    app.add_option("--trace", options.trace, "Write every event as a line of JSON; '-': to standard output")
+        ->type_name("FILE");
+    add_common_options(app, options);
+    if (auto done = parse(app, std::move(arguments), "plan belief")) return *done;
+    if (files.empty() || files.size() > 2)
+        return usage_error("two files are needed: plan belief DOMAIN PROBLEM", "plan belief");
+    if (files.size() == 2) options.domain = files[0];
+    options.problem = files.back();
+    return options;
+}
+
 Request parse_list_command(std::vector<std::string> arguments) {
     ListOptions options;
     CLI::App app("plan list: every component with its options and their defaults");
@@ -213,12 +262,14 @@ Request parse_list_command(std::vector<std::string> arguments) {
 
 Request parse_command_line(int argc, const char* const* argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
-    const bool named = command == "validate" || command == "ground" || command == "list";
+    const bool named =
+        command == "validate" || command == "ground" || command == "belief" || command == "list";
     // CLI11 wants the arguments in reverse.
     std::vector<std::string> arguments;
     for (int i = argc - 1; i >= (named ? 2 : 1); --i) arguments.emplace_back(argv[i]);
     if (command == "validate") return parse_validate_command(std::move(arguments));
     if (command == "ground") return parse_ground_command(std::move(arguments));
+    if (command == "belief") return parse_belief_command(std::move(arguments));
     if (command == "list") return parse_list_command(std::move(arguments));
     return parse_plan_command(std::move(arguments));
 }

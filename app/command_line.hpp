@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace praxis::app {
 
@@ -40,6 +41,19 @@ struct GroundCommandOptions : CommonOptions {
     std::string sas;  ///< file for the SAS+ task; "-": standard output; empty: none
 };
 
+struct BeliefOptions : CommonOptions {
+    std::string domain;
+    std::string problem;
+    std::vector<std::string> worlds;     ///< files with hidden worlds
+    std::optional<std::size_t> runs;     ///< how many hidden worlds, evenly spread; empty: all
+    std::optional<std::size_t> samples;  ///< worlds drawn from the initial uncertainty instead
+    double noise = 0;                    ///< probability of a wrong reading
+    std::size_t max_steps = 1000;        ///< actions of one run
+    std::string search;                  ///< an expression; empty: what suits most tasks
+    std::uint64_t seed = 0;
+    std::string trace;  ///< file for JSON lines; "-": standard output; empty: none
+};
+
 struct ListOptions {
     std::string kind;  ///< evaluators, engines or aliases; empty: all
 };
@@ -49,7 +63,8 @@ struct Done {
     int exit_code = 0;
 };
 
-using Request = std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, ListOptions>;
+using Request =
+    std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, BeliefOptions, ListOptions>;
 
 /// Reads the command line; prints help and usage errors itself.
 Request parse_command_line(int argc, const char* const* argv);

@@ -46,6 +46,21 @@ Json to_value(const PhaseStatistics& phase) {
     return value;
 }
 
+Json to_value(const BeliefRun& run) {
+    Json value{{"world", run.world},
+               {"status", run.status},
+               {"success", run.success},
+               {"false_success", run.false_success},
+               {"actions", run.actions.size()},
+               {"plans", run.plans},
+               {"processor_seconds", run.processor_seconds},
+               {"search_seconds", run.search_seconds},
+               {"longest_search_seconds", run.longest_search},
+               {"steps", run.actions}};
+    if (!run.message.empty()) value["message"] = run.message;
+    return value;
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -72,6 +87,7 @@ std::string to_json(const Report& report) {
         value["phases"] = Json::array();
         for (const PhaseStatistics& phase : report.phases) value["phases"].push_back(to_value(phase));
     }
+    for (const BeliefRun& run : report.runs) value["runs"].push_back(to_value(run));
     value["seconds"] = elapsed_seconds();
     value["processor_seconds"] = processor_seconds();
     value["peak_memory"] = peak_memory();

@@ -10,6 +10,20 @@
 
 namespace praxis::app {
 
+/// One run under partial observability.
+struct BeliefRun {
+    std::size_t world = 0;
+    std::string status;          ///< "reached", "infeasible", ...
+    bool success = false;        ///< the goal holds in the world at the end, by the independent check
+    bool false_success = false;  ///< believed only
+    std::string message;
+    std::vector<std::string> actions;
+    std::size_t plans = 0;
+    double processor_seconds = 0;
+    double search_seconds = 0;  ///< of these in searches
+    double longest_search = 0;
+};
+
 /// One run; the JSON report has these names.
 struct Report {
     std::string command;
@@ -27,6 +41,7 @@ struct Report {
     std::optional<SearchStatistics> statistics;
     std::vector<PhaseStatistics> phases;
     std::optional<Verdict> verdict;
+    std::vector<BeliefRun> runs;
 };
 
 /// The report as JSON, ending with a newline.

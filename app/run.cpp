@@ -60,7 +60,7 @@ Run::Run(const CommonOptions& options, std::string command, std::string domain, 
     std::set_terminate(&Run::on_terminate);
 }
 
-Task Run::load() {
+std::pair<std::string, std::string> Run::files() {
     set_phase("reading");
     std::string domain;
     std::string problem;
@@ -73,11 +73,27 @@ Task Run::load() {
         domain = find_domain_file(problem);
         update([&](Report& report) { report.domain = domain; });
     }
+    return {domain, problem};
+}
+
+void Run::say_warnings(const std::vector<Diagnostic>& warnings, const Sources& sources) {
+    if (options_.quiet) return;
+    for (const Diagnostic& warning : warnings) say(without_final_newline(to_string(warning, sources)));
+}
+
+Task Run::load() {
+    const auto [domain, problem] = files();
     LoadResult loaded = load_with_warnings(domain, problem);
-    if (!options_.quiet)
-        for (const Diagnostic& warning : loaded.warnings)
-            say(without_final_newline(to_string(warning, *loaded.task->sources)));
+    say_warnings(loaded.warnings, *loaded.task->sources);
     update([&](Report& report) { report.task = loaded.task; });
+    return loaded.task;
+}
+
+std::shared_ptr<const ContingentTask> Run::load_contingent(const std::vector<std::string>& worlds) {
+    const auto [domain, problem] = files();
+    ContingentLoadResult loaded = praxis::load_contingent(domain, problem, worlds);
+    say_warnings(loaded.warnings, *loaded.task->task->sources);
+    update([&](Report& report) { report.task = loaded.task->task; });
     return loaded.task;
 }
 

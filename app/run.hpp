@@ -14,6 +14,7 @@
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/watcher.hpp"
+#include "parser/contingent.hpp"
 
 namespace praxis::app {
 
@@ -36,6 +37,8 @@ class Run {
     const Budget& budget() const { return budget_; }
     /// Reads domain and problem (and finds the domain file where none is named); prints warnings.
     Task load();
+    /// The same for a contingent task, with files of hidden worlds.
+    std::shared_ptr<const ContingentTask> load_contingent(const std::vector<std::string>& worlds);
     /// Changes the report.
     template <class Change>
     void update(Change&& change) {
@@ -54,6 +57,8 @@ class Run {
     Ending stopped(Stop stop) const;
 
   private:
+    std::pair<std::string, std::string> files();
+    void say_warnings(const std::vector<Diagnostic>& warnings, const Sources& sources);
     void tick();
     [[noreturn]] void overrun(Stop stop);
     int finish(const Ending& ending);

@@ -1,14 +1,10 @@
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <system_error>
 #include <utility>
 
 #include "parser/check/check.hpp"
+#include "parser/files.hpp"
 #include "parser/parser.hpp"
 #include "parser/reporter.hpp"
 #include "parser/syntax/grammar.hpp"
@@ -17,42 +13,6 @@ namespace praxis {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kLargestSource = std::numeric_limits<std::uint32_t>::max() - 1;
-
-[[noreturn]] void fail(const std::string& message) {
-    Diagnostic diagnostic;
-    diagnostic.placed = false;
-    diagnostic.message = message;
-    throw InputError(to_string(diagnostic, {}), {diagnostic});
-}
-
-void require_size(const Source& source) {
-    if (source.text.size() > kLargestSource) fail(source.name + ": larger than 4 GiB");
-}
-
-std::string read_all(std::FILE* file, const std::string& name) {
-    std::string text;
-    std::size_t used = 0;
-    do {
-        text.resize(used + std::max<std::size_t>(std::size_t{1} << 16, used));
-        used += std::fread(text.data() + used, 1, text.size() - used, file);
-        if (used > kLargestSource) fail(name + ": larger than 4 GiB");
-    } while (used == text.size());
-    if (std::ferror(file) != 0) fail(name + ": cannot be read");
-    text.resize(used);
-    return text;
-}
-
-Source read(const std::string& file_name) {
-    if (file_name == "-") return {"<stdin>", read_all(stdin, "<stdin>")};
-    std::error_code error;
-    if (fs::is_directory(file_name, error)) fail(file_name + ": is a directory, not a file");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(file_name.c_str(), "rb"),
-                                                               &std::fclose);
-    if (!file) fail(file_name + ": cannot be opened (" + std::strerror(errno) + ")");
-    return {file_name, read_all(file.get(), file_name)};
-}
 
 /// The text with the first `from` replaced; empty if there is none.
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
@@ -89,15 +49,11 @@ std::vector<fs::path> domain_candidates(const fs::path& problem) {
 }  // namespace
 
 LoadResult parse_task(Source domain, Source problem) {
-    require_size(domain);
-    require_size(problem);
+    require_text(domain);
+    require_text(problem);
     auto sources = std::make_shared<Sources>();
     sources->files.push_back(std::move(domain));
     sources->files.push_back(std::move(problem));
-    for (const Source& source : sources->files) {
-        if (source.text.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
-            fail(source.name + ": is empty");
-    }
     syntax::SymbolTable symbols;
     Reporter reporter;
     const syntax::Tree domain_tree =
@@ -117,10 +73,10 @@ LoadResult parse_task(Source domain, Source problem) {
 
 LoadResult load_with_warnings(const std::string& domain_file, const std::string& problem_file) {
     if (domain_file == "-" && problem_file == "-") {
-        fail("the domain and the problem cannot both come from standard input");
+        fail_unplaced("the domain and the problem cannot both come from standard input");
     }
-    Source domain = read(domain_file);
-    return parse_task(std::move(domain), read(problem_file));
+    Source domain = read_source(domain_file);
+    return parse_task(std::move(domain), read_source(problem_file));
 }
 
 Task load(const std::string& domain_file, const std::string& problem_file) {
@@ -128,14 +84,14 @@ Task load(const std::string& domain_file, const std::string& problem_file) {
 }
 
 std::string find_domain_file(const std::string& problem_file) {
-    if (problem_file == "-") fail("the domain of a problem from standard input must be named");
+    if (problem_file == "-") fail_unplaced("the domain of a problem from standard input must be named");
     std::string tried;
     for (const fs::path& candidate : domain_candidates(problem_file)) {
         std::error_code error;
         if (fs::is_regular_file(candidate, error)) return candidate.string();
         tried += (tried.empty() ? "" : ", ") + candidate.string();
     }
-    fail(problem_file + ": no domain file found beside it (tried " + tried + ")");
+    fail_unplaced(problem_file + ": no domain file found beside it (tried " + tried + ")");
 }
 
 }  // namespace praxis

@@ -1,5 +1,6 @@
 #include "parser/check/atoms.hpp"
 
+#include "parser/check/contingent/refuse.hpp"
 #include "parser/check/types.hpp"
 
 namespace praxis::check {
@@ -100,8 +101,7 @@ std::optional<std::vector<Term>> resolve_arguments(ScopeBuilder& scope, const sy
 void refuse_nested(Context& context, const syntax::Tree& tree, const syntax::Node& node) {
     const syntax::Symbol head = node.head.symbol;
     const Location where = tree.where(node.head);
-    const std::optional<syntax::Name> first =
-        node.arguments.empty() ? std::nullopt : std::optional(tree.names[node.arguments.begin]);
+    const syntax::Name* const first = node.arguments.empty() ? nullptr : &tree.names[node.arguments.begin];
     const bool known = context.predicates[head].valid() || context.functions[head].valid() ||
                        context.object_functions[syntax::index(head)];
     if (head == Word::preference) {
@@ -112,6 +112,11 @@ void refuse_nested(Context& context, const syntax::Tree& tree, const syntax::Nod
         context.reporter.unsupported(where, "timed initial literals");
     } else if ((head == Word::at || head == Word::over) && first && is_time_point(first->symbol)) {
         context.reporter.unsupported(where, "durative conditions and effects");
+    } else if (head == Word::oneof && !known) {
+        context.reporter.unsupported(where, "nondeterministic effects");
+    } else if (head == Word::unknown && !known) {
+        context.reporter.unsupported(where, "conditions and effects on knowledge",
+                                     context.contingent == nullptr ? std::string(kBeliefHint) : "");
     } else if (known) {
         context.reporter.unsupported(where, "object fluents (lists as arguments)");
     } else {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "parser/check/contingent/refuse.hpp"
 #include "parser/check/declarations.hpp"
 #include "parser/check/goal.hpp"
 #include "parser/check/initial.hpp"
@@ -50,22 +51,32 @@ void check_names(Context& context, const syntax::Tree& domain, const syntax::Tre
 
 }  // namespace
 
-LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
-                 Reporter& reporter) {
-    LiftedTask task;
-    Context context(symbols, reporter, task);
+void check_head(Context& context, const syntax::Tree& domain, const syntax::Tree& problem) {
     check_sections(context, domain);
     check_sections(context, problem);
     check_names(context, domain, problem);
     declare_types(context, domain);
-    declare_objects(context, domain);
-    declare_objects(context, problem);
+    declare_objects(context, domain, domain.objects);
+    declare_objects(context, problem, problem.objects);
+}
+
+void check_declarations(Context& context, const syntax::Tree& domain, const syntax::Tree& problem) {
     collect_objects(context);
     declare_predicates(context, domain);
     declare_functions(context, domain);
     declare_total_cost(context, domain);
     declare_total_cost(context, problem);
     mark_derived(context, domain);
+}
+
+LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
+                 Reporter& reporter) {
+    LiftedTask task;
+    Context context(symbols, reporter, task);
+    refuse_contingent(context, domain);
+    refuse_contingent(context, problem);
+    check_head(context, domain, problem);
+    check_declarations(context, domain, problem);
     check_schemas(context, domain);
     check_axioms(context, domain);
     const std::vector<TupleIndex> initial_atoms = check_initial_state(context, problem);

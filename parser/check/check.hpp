@@ -1,9 +1,7 @@
 // From syntax trees to a checked task.
 #pragma once
 
-#include "parser/reporter.hpp"
-#include "parser/syntax/tree.hpp"
-#include "parser/task.hpp"
+#include "parser/check/context.hpp"
 
 namespace praxis::check {
 
@@ -11,5 +9,10 @@ namespace praxis::check {
 /// reporter; the task is whole only if there are none.
 LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
                  Reporter& reporter);
+
+/// Its first steps: names of the files, types, objects; and then, when all objects are there, predicates and
+/// functions.
+void check_head(Context& context, const syntax::Tree& domain, const syntax::Tree& problem);
+void check_declarations(Context& context, const syntax::Tree& domain, const syntax::Tree& problem);
 
 }  // namespace praxis::check

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/contingent.hpp"
 #include "parser/reporter.hpp"
 #include "parser/suggest.hpp"
 #include "parser/syntax/tree.hpp"
@@ -72,10 +73,14 @@ struct Context {
     std::vector<std::vector<TypeId>> either_members;  ///< by type; empty for declared types
     std::map<std::vector<TypeId>, TypeId> either_types;
     bool types_missing = false;  ///< an unknown type was reported; its users count as `object`
+    bool types_by_use = false;   ///< a contingent domain without `:types`: types are declared by their use
     bool objects_known = false;  ///< from then on every type knows its objects
 
     std::array<std::optional<Location>, static_cast<std::size_t>(Feature::count)> features;
     std::size_t copied_formulas = 0;  ///< nodes of conditions copied into effects
+
+    ContingentTask* contingent = nullptr;  ///< null: the task is classical
+    std::vector<bool> readings;            ///< by predicate: an `:obs-variable` has its atoms
 
     void use(Feature feature, Location where) {
         auto& first = features[static_cast<std::size_t>(feature)];

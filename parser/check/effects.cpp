@@ -1,8 +1,8 @@
 #include "parser/check/effects.hpp"
 
 #include "parser/check/atoms.hpp"
-#include "parser/check/conditions.hpp"
 #include "parser/check/costs.hpp"
+#include "parser/check/guards.hpp"
 
 namespace praxis::check {
 namespace {
@@ -12,18 +12,10 @@ using syntax::NodeIndex;
 using syntax::NodeKind;
 using syntax::Word;
 
-constexpr std::size_t kMaxCopiedFormulas = 5'000'000;
-
-std::size_t count_formulas(const Formula& formula) {
-    std::size_t count = 1;
-    for (const Formula& child : formula.children) count += count_formulas(child);
-    return count;
-}
-
 class EffectChecker {
   public:
     EffectChecker(ScopeBuilder& scope, Schema& schema)
-        : scope_(scope), context_(scope.context()), tree_(scope.tree()), schema_(schema) {}
+        : scope_(scope), context_(scope.context()), tree_(scope.tree()), schema_(schema), guards_(scope) {}
 
     void check(NodeIndex index) {
         const Node& node = tree_.nodes[index];
@@ -34,7 +26,7 @@ class EffectChecker {
                 add(node, true);
                 break;
             case NodeKind::nested:
-                refuse_nested(context_, tree_, node);
+                nested(index);
                 break;
             case NodeKind::conjunction:
                 tree_.for_each_child(index, [&](NodeIndex child) { check(child); });
@@ -43,10 +35,12 @@ class EffectChecker {
                 remove(tree_.nodes[index + 1]);
                 break;
             case NodeKind::universal:
-                universal(index);
+                context_.use(Feature::conditional_effects, tree_.where(node.head));
+                guards_.universal(index, [this](NodeIndex body) { check(body); });
                 break;
             case NodeKind::when:
-                conditional(index);
+                context_.use(Feature::conditional_effects, tree_.where(node.head));
+                guards_.conditional(index, [this](NodeIndex body) { check(body); });
                 break;
             case NodeKind::assignment:
                 assignment(index);
@@ -76,8 +70,15 @@ class EffectChecker {
     }
 
     void add(const Node& node, bool adds) {
+        std::optional<Effect> effect = single(node);
+        if (!effect) return;
+        effect->add = adds;
+        schema_.effects.push_back(std::move(*effect));
+    }
+
+    std::optional<Effect> single(const Node& node) {
         const PredicateId id = resolve_predicate(context_, tree_, node);
-        if (!id.valid()) return;
+        if (!id.valid()) return std::nullopt;
         Predicate& predicate = context_.task.predicates[id.index()];
         if (predicate.derived) {
             context_.reporter.error(tree_.where(node),
@@ -85,58 +86,31 @@ class EffectChecker {
         }
         std::optional<std::vector<Term>> terms =
             resolve_arguments(scope_, node, "predicate", predicate.parameters);
-        if (!terms) return;
+        if (!terms) return std::nullopt;
         predicate.fluent = true;
         Effect effect;
-        effect.variables = variables_;
-        effect.condition = joined_condition(node);
-        effect.add = adds;
+        effect.variables = guards_.variables();
+        effect.condition = guards_.condition(tree_.where(node));
         effect.predicate = id;
         effect.terms = std::move(*terms);
         effect.where = tree_.where(node);
-        schema_.effects.push_back(std::move(effect));
+        return effect;
     }
 
-    Formula joined_condition(const Node& node) {
-        if (conditions_.empty()) {
-            Formula truth;
-            truth.where = tree_.where(node);
-            return truth;
-        }
-        context_.copied_formulas += condition_size_;
-        if (context_.copied_formulas > kMaxCopiedFormulas) {
-            if (!too_large_) context_.reporter.error(tree_.where(node), "conditional effects too large");
-            too_large_ = true;
-            return {};
-        }
-        if (conditions_.size() == 1) return conditions_.front();
-        Formula all;
-        all.kind = Connective::conjunction;
-        all.children = conditions_;
-        all.where = conditions_.back().where;
-        return all;
-    }
-
-    void universal(NodeIndex index) {
+    /// `(unknown (p ?x))` in a contingent task; otherwise a mistake.
+    void nested(NodeIndex index) {
         const Node& node = tree_.nodes[index];
-        context_.use(Feature::conditional_effects, tree_.where(node.head));
-        const std::size_t outer = scope_.visible();
-        const std::size_t outer_variables = variables_.size();
-        const std::vector<std::uint32_t> bound = scope_.bind_quantified(node.variables);
-        variables_.insert(variables_.end(), bound.begin(), bound.end());
-        check(index + 1);
-        variables_.resize(outer_variables);
-        scope_.unbind(outer);
-    }
-
-    void conditional(NodeIndex index) {
-        context_.use(Feature::conditional_effects, tree_.where(tree_.nodes[index].head));
-        conditions_.push_back(check_condition(scope_, index + 1));
-        const std::size_t size = count_formulas(conditions_.back());
-        condition_size_ += size;
-        check(tree_.nodes[index + 1].end);
-        condition_size_ -= size;
-        conditions_.pop_back();
+        const bool forgets = context_.contingent != nullptr && node.head.symbol == Word::unknown &&
+                             tree_.own_words(index).empty() && !context_.predicates[node.head.symbol].valid();
+        if (!forgets) return refuse_nested(context_, tree_, node);
+        tree_.for_each_child(index, [&](NodeIndex child) {
+            const Node& atom = tree_.nodes[child];
+            if (atom.kind != NodeKind::atom) {
+                context_.reporter.error(tree_.where(atom), "only an atom can become unknown");
+            } else if (std::optional<Effect> effect = single(atom)) {
+                context_.contingent->sensing.back().forgotten.push_back(std::move(*effect));
+            }
+        });
     }
 
     void assignment(NodeIndex index) {
@@ -153,7 +127,7 @@ class EffectChecker {
                                           "numeric effects other than (increase (total-cost) ...)");
             return;
         }
-        if (!conditions_.empty() || !variables_.empty()) {
+        if (!guards_.empty()) {
             context_.reporter.unsupported(tree_.where(node), "conditional and universal costs");
             return;
         }
@@ -182,10 +156,7 @@ class EffectChecker {
     Context& context_;
     const syntax::Tree& tree_;
     Schema& schema_;
-    std::vector<std::uint32_t> variables_;
-    std::vector<Formula> conditions_;
-    std::size_t condition_size_ = 0;
-    bool too_large_ = false;
+    Guards guards_;
 };
 
 }  // namespace

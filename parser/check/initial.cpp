@@ -1,6 +1,9 @@
 #include "parser/check/initial.hpp"
 
 #include "parser/check/atoms.hpp"
+#include "parser/check/contingent/refuse.hpp"
+#include "parser/check/contingent/uncertainty.hpp"
+#include "parser/check/ground.hpp"
 
 namespace praxis::check {
 namespace {
@@ -13,7 +16,7 @@ using syntax::Word;
 class InitialStateChecker {
   public:
     InitialStateChecker(Context& context, const syntax::Tree& problem)
-        : context_(context), tree_(problem), scope_(context, problem, no_variables_) {
+        : context_(context), tree_(problem), ground_(context, problem) {
         LiftedTask& task = context.task;
         task.initial_atoms.resize(task.predicates.size());
         for (std::size_t i = 0; i < task.predicates.size(); ++i) {
@@ -41,13 +44,14 @@ class InitialStateChecker {
             case NodeKind::empty:
                 break;
             case NodeKind::atom:
-                add_atom(node);
+                if (!uncertain(node)) add_atom(node);
                 break;
             case NodeKind::equality:
                 add_value(index);
                 break;
             case NodeKind::nested:
-                refuse_nested(context_, tree_, node);
+            case NodeKind::disjunction:
+                if (!uncertain(node)) refuse_nested(context_, tree_, node);
                 break;
             case NodeKind::conjunction:
                 tree_.for_each_child(index, [&](NodeIndex child) { check(child); });
@@ -65,18 +69,14 @@ class InitialStateChecker {
         }
     }
 
-    /// Fills tuple_; false if something is wrong.
-    bool resolve(const Node& node, std::string_view kind, const std::vector<TypeId>& parameters) {
-        tuple_.clear();
-        const std::size_t given = node.arguments.end - node.arguments.begin;
-        bool right = given == parameters.size();
-        for (std::size_t i = 0; right && i < given; ++i) {
-            const ObjectId object = context_.objects[tree_.names[node.arguments.begin + i].symbol];
-            right = object.valid() && context_.task.types[parameters[i].index()].contains[object.index()];
-            tuple_.push_back(object);
+    /// What is said about uncertain atoms is read by check_uncertainty; a classical task cannot have it.
+    bool uncertain(const Node& node) {
+        if (!states_uncertainty(context_, node)) return false;
+        if (context_.contingent == nullptr) {
+            context_.reporter.unsupported(tree_.where(node.head), "uncertain initial states",
+                                          std::string(kBeliefHint));
         }
-        if (!right) resolve_arguments(scope_, node, kind, parameters);
-        return right;
+        return true;
     }
 
     void add_atom(const Node& node) {
@@ -87,14 +87,16 @@ class InitialStateChecker {
             context_.reporter.error(tree_.where(node), "the derived predicate " + quote(predicate.name) +
                                                            " cannot stand in the initial state");
         }
-        if (resolve(node, "predicate", predicate.parameters)) atoms_[id.index()].insert(tuple_);
+        if (ground_.resolve(node, "predicate", predicate.parameters))
+            atoms_[id.index()].insert(ground_.tuple());
     }
 
     void check_negated(const Node& node) {
         const PredicateId id = resolve_predicate(context_, tree_, node);
-        if (!id.valid() || !resolve(node, "predicate", context_.task.predicates[id.index()].parameters))
+        if (!id.valid() ||
+            !ground_.resolve(node, "predicate", context_.task.predicates[id.index()].parameters))
             return;
-        if (atoms_[id.index()].find(tuple_) == TupleIndex::kNone) return;
+        if (atoms_[id.index()].find(ground_.tuple()) == TupleIndex::kNone) return;
         context_.reporter.error(tree_.where(node), "the initial state contains this atom and its negation");
     }
 
@@ -119,14 +121,14 @@ class InitialStateChecker {
             context_.reporter.error(tree_.where(value_node), "expected a number");
             return;
         }
-        if (resolve(function_node, "function", context_.task.functions[id.index()].parameters)) {
+        if (ground_.resolve(function_node, "function", context_.task.functions[id.index()].parameters)) {
             set_value(id, *value, value_node);
         }
     }
 
     void set_value(FunctionId id, Rational value, const Node& value_node) {
         std::vector<Rational>& values = context_.task.initial_values[id.index()].values;
-        const std::size_t number = values_[id.index()].insert(tuple_);
+        const std::size_t number = values_[id.index()].insert(ground_.tuple());
         if (number == values.size()) {
             values.push_back(value);
         } else if (values[number] != value) {
@@ -137,12 +139,10 @@ class InitialStateChecker {
 
     Context& context_;
     const syntax::Tree& tree_;
-    Scope no_variables_;
-    ScopeBuilder scope_;
+    GroundArguments ground_;
     std::vector<TupleIndex> atoms_;   ///< by predicate
     std::vector<TupleIndex> values_;  ///< by function
     std::vector<const Node*> negated_;
-    std::vector<ObjectId> tuple_;
 };
 
 }  // namespace

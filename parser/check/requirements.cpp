@@ -36,7 +36,7 @@ constexpr std::initializer_list<Feature> kAdl = {
     Feature::conditional_effects,
 };
 
-const std::array<Implication, 21> kImplications = {{
+const std::array<Implication, 25> kImplications = {{
     {":adl", kAdl},
     {":ucpop", kAdl},
     {":quantified-preconditions", {Feature::existential_preconditions, Feature::universal_preconditions}},
@@ -58,6 +58,10 @@ const std::array<Implication, 21> kImplications = {{
     {":goal-utilities", {}},
     {":existential-quantification", {Feature::existential_preconditions}},
     {":safety-constraints", {}},
+    {":contingent", {}},
+    {":partial-observability", {}},
+    {":open-world", {}},
+    {":translation", {}},
 }};
 
 void announce(Context& context, const syntax::Tree& tree, const syntax::Name& flag,

@@ -2,6 +2,7 @@
 
 #include "parser/check/atoms.hpp"
 #include "parser/check/conditions.hpp"
+#include "parser/check/contingent/sensing.hpp"
 #include "parser/check/effects.hpp"
 #include "parser/check/types.hpp"
 
@@ -36,6 +37,7 @@ void check_axiom(Context& context, const syntax::Tree& domain, const syntax::Der
 
 void check_schemas(Context& context, const syntax::Tree& domain) {
     context.task.schemas.reserve(domain.actions.size());
+    std::size_t sensing = 0;
     for (const syntax::Action& action : domain.actions) {
         if (context.schemas[action.name.symbol].valid()) {
             context.reporter.error(domain.where(action.name),
@@ -48,7 +50,9 @@ void check_schemas(Context& context, const syntax::Tree& domain) {
         ScopeBuilder scope(context, domain, schema.scope);
         scope.bind_parameters(action.parameters);
         schema.precondition = check_condition(scope, action.precondition);
+        if (context.contingent != nullptr) context.contingent->sensing.emplace_back();
         check_effects(scope, action.effect, schema);
+        if (context.contingent != nullptr) sensing = check_action_sensing(scope, sensing);
     }
 }
 

@@ -34,6 +34,25 @@ TypeId find_or_declare_supertype(Context& context, const syntax::Tree& tree, con
     return id;
 }
 
+/// Contingent benchmarks use types without declaring them. A name that looks like a declared one is a
+/// mistake.
+bool is_declared_by_use(const Context& context, const syntax::Name& name) {
+    if (context.contingent == nullptr) return false;
+    return context.types_by_use || !context.nearest(name, context.task.types).found();
+}
+
+TypeId declare_by_use(Context& context, const syntax::Tree& tree, const syntax::Name& name) {
+    context.reporter.warning(tree.where(name),
+                             "type " + quote(tree.spelled(name)) + " is used but not declared",
+                             "taken as a subtype of 'object'");
+    const TypeId id = add_type(context, context.text(name.symbol), tree.where(name));
+    Type& type = context.task.types[id.index()];
+    type.parents.push_back(kObject);
+    type.contains.assign(context.task.objects.size(), false);
+    context.types.set(name.symbol, id);
+    return id;
+}
+
 void break_cycles(Context& context) {
     using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
     std::vector<Type>& types = context.task.types;
@@ -193,8 +212,8 @@ void declare_types(Context& context, const syntax::Tree& domain) {
     break_cycles(context);
 }
 
-void declare_objects(Context& context, const syntax::Tree& tree) {
-    for (const syntax::Range section : tree.objects) {
+void declare_objects(Context& context, const syntax::Tree& tree, const std::vector<syntax::Range>& sections) {
+    for (const syntax::Range section : sections) {
         std::uint32_t types_begin = 0;
         TypeId type;
         for (std::uint32_t i = section.begin; i < section.end; ++i) {
@@ -248,6 +267,8 @@ TypeId resolve_type(Context& context, const syntax::Tree& tree, syntax::Range na
         const TypeId id = context.types[name.symbol];
         if (id.valid()) {
             members.push_back(id);
+        } else if (is_declared_by_use(context, name)) {
+            members.push_back(declare_by_use(context, tree, name));
         } else {
             context.types_missing = true;
             context.report_unknown("type", tree, name, context.task.types);

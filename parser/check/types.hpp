@@ -8,8 +8,8 @@ namespace praxis::check {
 /// Declares the domain's types. A name that is used only as a supertype is declared by that, with a warning.
 void declare_types(Context& context, const syntax::Tree& domain);
 
-/// Declares constants (of a domain) or objects (of a problem).
-void declare_objects(Context& context, const syntax::Tree& tree);
+/// Declares constants (of a domain) or objects (of a problem): the names of these sections of its tree.
+void declare_objects(Context& context, const syntax::Tree& tree, const std::vector<syntax::Range>& sections);
 
 /// To be called after the last object: fills in Type::objects and Type::contains.
 void collect_objects(Context& context);

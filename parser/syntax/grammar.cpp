@@ -4,107 +4,12 @@
 #include <string>
 
 #include "parser/suggest.hpp"
-#include "parser/syntax/tokens.hpp"
+#include "parser/syntax/messages.hpp"
+#include "parser/syntax/rules.hpp"
 
 namespace praxis::syntax {
 
-bool is_utf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[at]);
-        const std::size_t more = lead < 0x80 ? 0 : lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC2 ? 1 : 4;
-        if (lead > 0xF4 || more == 4 || at + more >= text.size()) return false;
-        for (std::size_t i = 1; i <= more; ++i) {
-            if ((static_cast<unsigned char>(text[at + i]) & 0xC0U) != 0x80U) return false;
-        }
-        at += more + 1;
-    }
-    return true;
-}
-
 namespace {
-
-// Actions.
-
-const auto open = [](auto& context) { builder(context).open(x3::_attr(context)); };
-const auto close = [](auto& context) { builder(context).close(x3::_attr(context)); };
-const auto enter = [](auto& context) { builder(context).enter(x3::_attr(context)); };
-const auto leave = [](auto& context) { builder(context).leave(); };
-const auto add_argument = [](auto& context) { builder(context).add_argument(x3::_attr(context)); };
-const auto mark_nested = [](auto& context) { builder(context).mark_nested(); };
-const auto add_word = [](auto& context) { builder(context).add_word(x3::_attr(context)); };
-const auto bind = [](auto& context) { builder(context).bind(builder(context).list()); };
-const auto begin_list = [](auto& context) { builder(context).begin_list(); };
-const auto add_item = [](auto& context) { builder(context).add_item(x3::_attr(context)); };
-const auto begin_types = [](auto& context) { builder(context).begin_types(); };
-const auto add_type = [](auto& context) { builder(context).add_type(x3::_attr(context)); };
-const auto apply_types = [](auto& context) { builder(context).apply_types(); };
-
-template <NodeKind kind>
-const auto head = [](auto& context) { builder(context).set_head(kind, x3::_attr(context)); };
-
-// Typed lists.
-
-const x3::rule<struct TypeClass> type("a type");
-const auto either = (opening >> word(Word::either)) > *name[add_type] > closing("a type or ')'");
-const auto type_def = x3::eps[begin_types] >> (name[add_type] | either);
-
-template <class Item>
-auto typed_list(const Item& item) {
-    return x3::eps[begin_list] >> *((+item[add_item]) >> (-(word(Word::minus) > type)[apply_types]));
-}
-
-const x3::rule<struct NamesClass> typed_names("names");
-const x3::rule<struct VariablesClass> typed_variables("variables");
-const auto typed_names_def = typed_list(name);
-const auto typed_variables_def = typed_list(variable);
-
-// Conditions, effects, expressions, facts.
-
-const x3::rule<struct ListClass> list("'('");
-const x3::rule<struct BodyClass> body("a predicate or a word such as 'and', 'not', 'forall'");
-const x3::rule<struct OperandClass> operand("a name, a variable, a number or '('");
-
-const auto argument = term[add_argument] | list[mark_nested];
-const auto operand_def = operand_word[add_word] | list;
-const auto close_atom = closing("an argument or ')'")[close];
-const auto close_lists = closing("'(' or ')'")[close];
-const auto close_operands = closing("an operand or ')'")[close];
-const auto close_list = closing()[close];
-
-template <NodeKind kind, class... Words>
-auto one_of(Words... words) {
-    return (word(words)[head<kind>] | ...);
-}
-
-const auto comparison =
-    one_of<NodeKind::comparison>(Word::less, Word::less_equal, Word::greater, Word::greater_equal);
-const auto arithmetic = one_of<NodeKind::arithmetic>(Word::plus, Word::minus, Word::times, Word::divide);
-const auto assignment = one_of<NodeKind::assignment>(Word::increase, Word::decrease, Word::assign,
-                                                     Word::scale_up, Word::scale_down);
-
-// An assignment's first operand is a list; otherwise its word is a predicate like any other.
-const auto body_def = (free_name[head<NodeKind::atom>] > *argument > close_atom) |
-                      (word(Word::conjunction)[head<NodeKind::conjunction>] > *list > close_lists) |
-                      (word(Word::negation)[head<NodeKind::negation>] > list > close_list) |
-                      (word(Word::equal)[head<NodeKind::equality>] > operand > operand > close_list) |
-                      (word(Word::disjunction)[head<NodeKind::disjunction>] > *list > close_lists) |
-                      (word(Word::implication)[head<NodeKind::implication>] > list > list > close_list) |
-                      (word(Word::when)[head<NodeKind::when>] > list > list > close_list) |
-                      ((word(Word::universal)[head<NodeKind::universal>] |
-                        word(Word::existential)[head<NodeKind::existential>]) > opening > typed_variables >
-                       closing("a variable or ')'")[bind] > list > close_list) |
-                      (comparison > operand > operand > close_list) |
-                      (arithmetic > *operand > close_operands) |
-                      ((assignment >> &opening) > operand > operand > close_list) |
-                      (name[head<NodeKind::atom>] > *argument > close_atom) | close_list;
-
-const auto list_def = opening[open] > body;
-
-// Sections that are skipped.
-const x3::rule<struct SkippedClass> skipped("'('");
-const auto skipped_def = opening[enter] > *(any_word | skipped) > closing("a word, '(' or ')'")[leave];
-
-BOOST_SPIRIT_DEFINE(type, typed_names, typed_variables, list, body, operand, skipped)
 
 // Files.
 
@@ -112,6 +17,16 @@ bool is_section_start(const char* at, const char* last) {
     if (at == last || *at != '(') return false;
     at = GapParser::skip(at + 1, last);
     return at != last && *at == ':';
+}
+
+bool is_define(const char* at, const char* last) {
+    if (*at != '(') return false;
+    at = GapParser::skip(at + 1, last);
+    for (const char wanted : spelling(Word::define)) {
+        if (at == last || fold(*at) != static_cast<std::uint8_t>(wanted)) return false;
+        ++at;
+    }
+    return at == last || fold(*at) == 0;
 }
 
 class FileParser {
@@ -195,17 +110,6 @@ class FileParser {
                         "expected " + expected + ", found " + describe(found), hint);
     }
 
-    static std::string describe(std::string_view found) {
-        constexpr std::size_t kLongest = 60;
-        const auto byte = static_cast<unsigned char>(found[0]);
-        if (byte < 0x20 || byte == 0x7F || !is_utf8(found)) {
-            constexpr std::string_view kDigits = "0123456789abcdef";
-            return std::string("the byte 0x") + kDigits[byte / 16] + kDigits[byte % 16];
-        }
-        if (found.size() > kLongest) return "a long word";
-        return quote(found);
-    }
-
     std::string swapped_hint(const std::string& expected, std::string_view found) {
         const bool domain_expected = kind_ == FileKind::domain;
         const Word own = domain_expected ? Word::domain : Word::problem;
@@ -224,13 +128,28 @@ class FileParser {
 
     void parse_sections() {
         const char* const define = at_;
+        std::size_t repeated = 0;  // headers within the first that are not closed yet
+        bool closed = false;
         for (;;) {
             at_ = GapParser::skip(at_, last_);
             if (at_ == last_) {
-                if (!tree_.broken) report(at_, "a section or ')'", define);
+                if (!tree_.broken && !closed) report(at_, "a section or ')'", define);
                 return;
             }
-            if (*at_ == ')') break;
+            if (*at_ == ')') {
+                if (repeated == 0) break;
+                --repeated;
+                ++at_;
+                closed = true;
+                continue;
+            }
+            if (is_define(at_, last_)) {
+                reporter_.warning({tree_.file, builder_.offset_of(at_), 1}, "a second 'define'",
+                                  "taken as one with the first");
+                ++repeated;
+                guarded([this] { parse_header(); });
+                continue;
+            }
             guarded([this] { parse_section(); });
         }
         at_ = GapParser::skip(at_ + 1, last_);
@@ -248,7 +167,10 @@ class FileParser {
         const bool domain = kind_ == FileKind::domain;
         const auto is = [&](Word wanted) { return section.symbol == wanted; };
         if (is(Word::k_requirements)) return parse_requirements(section);
-        if (is(domain ? Word::k_constants : Word::k_objects)) return parse_typed_names(tree_.objects);
+        if (is(Word::k_constants) || is(Word::k_objects)) {
+            if (is(domain ? Word::k_objects : Word::k_constants)) tree_.misplaced.push_back(section);
+            return parse_typed_names(tree_.objects);
+        }
         if (domain) {
             if (is(Word::k_types)) return parse_typed_names(tree_.types);
             if (is(Word::k_predicates)) return parse_predicates();
@@ -261,7 +183,7 @@ class FileParser {
             if (is(Word::k_goal)) return parse_goal();
             if (is(Word::k_metric)) return parse_metric();
         }
-        parse_other(section);
+        if (!parse_contingent(section)) parse_other(section);
     }
 
     void parse_requirements(const Name& section) {
@@ -301,14 +223,114 @@ class FileParser {
         Action action;
         const auto set_name = [&](auto& context) { action.name = x3::_attr(context); };
         const auto set_parameters = [&](auto&) { action.parameters = builder_.list(); };
+        const auto begin_sensing = [&](auto& context) {
+            const auto number = static_cast<std::uint32_t>(tree_.actions.size());
+            tree_.contingent.actions.push_back({x3::_attr(context), number, {}});
+            note(x3::_attr(context));
+        };
+        const auto add_sensing = [&](auto&) {
+            tree_.contingent.actions.back().nodes.push_back(builder_.last());
+        };
         const auto set_precondition = [&](auto&) { action.precondition = add_part(action.precondition); };
         const auto set_effect = [&](auto&) { action.effect = add_part(action.effect); };
-        run(name[set_name] > *((word(Word::k_parameters) > opening > typed_variables >
-                                closing("a variable or ')'")[set_parameters]) |
-                               (word(Word::k_precondition) > list[set_precondition]) |
-                               (word(Word::k_effect) > list[set_effect])) >
+        run(name[set_name] >
+            *((word(Word::k_parameters) > opening > typed_variables >
+               closing("a variable or ')'")[set_parameters]) |
+              (word(Word::k_precondition) > list[set_precondition]) |
+              (word(Word::k_effect) > list[set_effect]) |
+              (word(Word::k_observe)[begin_sensing] > list[add_sensing] > *list[add_sensing]) |
+              (word(Word::k_sensing_model)[begin_sensing] > list[add_sensing])) >
             closing("':parameters', ':precondition', ':effect' or ')'"));
         tree_.actions.push_back(action);
+    }
+
+    void note(const Name& word) { tree_.contingent.keywords.push_back(word); }
+
+    /// Sections of partial observability; false if it is none of this file.
+    bool parse_contingent(const Name& section) {
+        const auto is = [&](Word wanted) { return section.symbol == wanted; };
+        const bool domain = kind_ == FileKind::domain;
+        if (is(Word::k_variable) || is(Word::k_obs_variable)) {
+            parse_variable(section);
+        } else if (domain && is(Word::k_sensor)) {
+            parse_sensor();
+        } else if (domain && is(Word::k_default_sensing_model)) {
+            run(list[([&](auto&) { tree_.contingent.default_models.push_back(builder_.last()); })] >
+                closing());
+        } else if (domain && (is(Word::k_observable) || is(Word::k_sticky) || is(Word::k_open_world))) {
+            parse_predicate_list(section);
+        } else if (domain && is(Word::k_decay)) {
+            parse_decay();
+        } else if (!domain && is(Word::k_hidden)) {
+            HiddenSection hidden{section, {}};
+            run(*list[([&](auto&) { hidden.literals.push_back(builder_.last()); })] > closing("'(' or ')'"));
+            tree_.contingent.hidden.push_back(std::move(hidden));
+        } else if (!domain && is(Word::k_hidden_objects)) {
+            parse_typed_names(tree_.contingent.hidden_objects);
+        } else {
+            return false;
+        }
+        note(section);
+        return true;
+    }
+
+    void parse_variable(const Name& section) {
+        VariableDeclaration result;
+        result.keyword = section;
+        const auto set_name = [&](auto& context) { result.name = x3::_attr(context); };
+        const auto set_parameters = [&](auto&) { result.parameters = builder_.list(); };
+        const auto begin_objects = [&](auto&) { builder_.begin_types(); };
+        const auto set_objects = [&](auto&) { result.objects = builder_.types(); };
+        const auto add_value = [&](auto&) { result.values.push_back(builder_.last()); };
+        const auto values = *list[add_value] > closing("'(' or ')'");
+        if (kind_ == FileKind::domain) {
+            run((name[set_name] | (opening > name[set_name] > typed_variables >
+                                   closing("a variable or ')'")[set_parameters])) > values);
+        } else {
+            run((name[set_name] | (opening > name[set_name] > x3::eps[begin_objects] > *name[add_type] >
+                                   closing("an object or ')'")[set_objects])) > values);
+        }
+        tree_.contingent.variables.push_back(std::move(result));
+    }
+
+    void parse_sensor() {
+        SensorDeclaration sensor;
+        const auto set_name = [&](auto& context) { sensor.name = x3::_attr(context); };
+        const auto set_parameters = [&](auto&) { sensor.parameters = builder_.list(); };
+        const auto set_condition = [&](auto&) {
+            const NodeIndex node = builder_.last();
+            if (sensor.condition != kNoNode) {
+                reporter_.error(tree_.where(tree_.nodes[node]), "a sensor has one condition",
+                                "join them with 'and'");
+            }
+            sensor.condition = node;
+        };
+        const auto add_sensed = [&](auto&) { sensor.sensed.push_back(builder_.last()); };
+        run(name[set_name] > *((word(Word::k_parameters) > opening > typed_variables >
+                                closing("a variable or ')'")[set_parameters]) |
+                               (word(Word::k_condition) > list[set_condition]) |
+                               (word(Word::k_sense) > list[add_sensed] > *list[add_sensed])) >
+            closing("':parameters', ':condition', ':sense' or ')'"));
+        tree_.contingent.sensors.push_back(std::move(sensor));
+    }
+
+    void parse_predicate_list(const Name& section) {
+        PredicateList result{section, {}, {}};
+        const auto add_name = [&](auto& context) { result.words.push_back(x3::_attr(context)); };
+        const auto add_node = [&](auto&) { result.nodes.push_back(builder_.last()); };
+        run(*(name[add_name] | list[add_node]) > closing("a predicate or ')'"));
+        tree_.contingent.predicates.push_back(std::move(result));
+    }
+
+    void parse_decay() {
+        DecayDeclaration decay;
+        const auto set_predicate = [&](auto& context) { decay.predicate = x3::_attr(context); };
+        const auto add_decay = [&](auto& context) {
+            decay.steps = x3::_attr(context);
+            tree_.contingent.decays.push_back(decay);
+        };
+        const auto pair = name[set_predicate] > name[add_decay];
+        run(pair > *pair > closing("a predicate or ')'"));
     }
 
     /// The node just parsed, unless there was one of its kind before.
@@ -364,33 +386,9 @@ class FileParser {
         } else if (section.symbol == Word::k_length) {
             reporter_.warning(tree_.where(section), "':length' is ignored");
         } else {
-            report_unknown(section);
+            report_unknown_section(reporter_, tree_, kind_, symbols_, section);
         }
         run(*(any_word | skipped) > closing("a word, '(' or ')'"));
-    }
-
-    void report_unknown(const Name& section) {
-        const bool domain = kind_ == FileKind::domain;
-        static constexpr Word kDomain[] = {Word::k_requirements, Word::k_types,     Word::k_constants,
-                                           Word::k_predicates,   Word::k_functions, Word::k_action,
-                                           Word::k_derived};
-        static constexpr Word kProblem[] = {Word::k_requirements, Word::k_domain, Word::k_objects,
-                                            Word::k_init,         Word::k_goal,   Word::k_metric};
-        Suggestion suggestion(symbols_.text(section.symbol));
-        std::string expected;
-        bool elsewhere = false;
-        for (const Word word : kDomain) {
-            if (domain) suggestion.consider(spelling(word));
-            elsewhere = elsewhere || section.symbol == word;
-        }
-        for (const Word word : kProblem) {
-            if (!domain) suggestion.consider(spelling(word));
-            elsewhere = elsewhere || section.symbol == word;
-        }
-        const std::string own = domain ? "domain" : "problem";
-        reporter_.error(tree_.where(section), "a " + own + " has no section " + quote(tree_.spelled(section)),
-                        elsewhere ? std::string("it belongs into the ") + (domain ? "problem" : "domain")
-                                  : suggestion.hint());
     }
 
     Tree tree_;

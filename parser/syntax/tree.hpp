@@ -6,66 +6,15 @@
 // symbols of the table that all files of a task share. A Range is a half-open range of one of the arrays.
 #pragma once
 
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "parser/source.hpp"
-#include "parser/syntax/symbols.hpp"
+#include "parser/syntax/contingent_tree.hpp"
+#include "parser/syntax/node.hpp"
 
 namespace praxis::syntax {
-
-/// A word and its place.
-struct Name {
-    Symbol symbol{};
-    std::uint32_t offset = 0;
-    std::uint32_t length = 0;
-};
-
-struct Range {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-    bool empty() const { return begin == end; }
-};
-
-/// `name - type`; several types if written with `either`, none if written without a type.
-struct TypedName {
-    Name name;
-    Range types;  ///< of Tree::names
-};
-
-enum class NodeKind : std::uint8_t {
-    empty,        ///< ()
-    atom,         ///< (p a ?x): a predicate or a function with `arguments`
-    nested,       ///< as atom, but with lists among the arguments: the lists are children, the order is lost
-    conjunction,  ///< any number of children
-    disjunction,
-    negation,     ///< one child
-    implication,  ///< two children
-    existential,  ///< `variables` and one child
-    universal,
-    when,        ///< two children
-    equality,    ///< two operands
-    comparison,  ///< < <= > >= (the head), two operands
-    arithmetic,  ///< + - * / (the head), operands
-    assignment,  ///< increase, ... (the head), two operands
-    word,        ///< a name, variable or number where an operand stands
-};
-
-struct Node {
-    NodeKind kind = NodeKind::empty;
-    Name head;
-    std::uint32_t offset = 0;
-    std::uint32_t length = 0;
-    std::uint32_t end = 0;  ///< one past the last node of the subtree
-    Range arguments;        ///< of Tree::names
-    Range variables;        ///< of Tree::typed_names
-};
-
-using NodeIndex = std::uint32_t;
-inline constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
 
 /// A predicate, a function or the head of an axiom.
 struct Signature {
@@ -113,12 +62,27 @@ struct Tree {
     std::vector<Name> init_sections;
     std::vector<NodeIndex> goals;
     std::vector<Metric> metrics;
-    std::vector<Name> refused;  ///< sections that are understood but not supported
-    bool broken = false;        ///< some section had a syntax error and is missing
+    std::vector<Name> refused;    ///< sections that are understood but not supported
+    std::vector<Name> misplaced;  ///< `:objects` in a domain, `:constants` in a problem
+    ContingentTree contingent;
+    bool broken = false;  ///< some section had a syntax error and is missing
 
     Location where(const Name& word) const { return {file, word.offset, word.length}; }
     Location where(const Node& node) const { return {file, node.offset, node.length}; }
     std::string_view spelled(const Name& word) const { return text.substr(word.offset, word.length); }
+
+    /// The words among the arguments of a node of kind `nested`, without those inside of its lists.
+    std::vector<Name> own_words(NodeIndex parent) const {
+        std::vector<Name> words;
+        NodeIndex child = parent + 1;
+        for (std::uint32_t i = nodes[parent].arguments.begin; i < nodes[parent].arguments.end; ++i) {
+            const auto past = [&] { return nodes[child].offset + nodes[child].length <= names[i].offset; };
+            while (child < nodes[parent].end && past()) child = nodes[child].end;
+            if (child >= nodes[parent].end || names[i].offset < nodes[child].offset)
+                words.push_back(names[i]);
+        }
+        return words;
+    }
 
     /// Calls visit(NodeIndex) for every child of a node.
     template <class Visit>

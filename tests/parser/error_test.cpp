@@ -146,7 +146,7 @@ TEST(InitialState, IsChecked) {
                          "2:56: error: a second value for the same function"));
     EXPECT_TRUE(contains(in_problem("(:objects x) (:init (= (f x) x)) (:goal ())"), "expected a number"));
     EXPECT_TRUE(
-        contains(in_problem("(:init (or (s))) (:goal ())"), "'or' cannot stand in the initial state"));
+        contains(in_problem("(:init (or (s))) (:goal ())"), "uncertain initial states are not supported"));
 }
 
 TEST(Goal, MustBeThereOnce) {

@@ -21,7 +21,7 @@ const std::filesystem::path kRoot = PRAXIS_SOURCE_DIR;
 std::vector<std::string> domain_names() {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(kRoot / "domains")) {
-        if (entry.is_directory()) names.push_back(entry.path().filename().string());
+        if (std::filesystem::exists(entry.path() / "domain.pddl")) names.push_back(entry.path().filename().string());
     }
     std::sort(names.begin(), names.end());
     return names;

@@ -1,0 +1,244 @@
+#include "belief/agent.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace praxis::belief {
+
+AgentOptions default_agent_options() {
+    AgentOptions options;
+    options.first = configuration("lazy_greedy([ff()],preferred=[ff()])");
+    options.second = alias("agile");
+    return options;
+}
+
+const char* to_string(RunStatus status) {
+    switch (status) {
+        case RunStatus::reached:
+            return "reached";
+        case RunStatus::infeasible:
+            return "infeasible";
+        case RunStatus::not_found:
+            return "not found";
+        case RunStatus::stuck:
+            return "stuck";
+        case RunStatus::step_limit:
+            return "step limit";
+        case RunStatus::out_of_time:
+            return "out of time";
+        case RunStatus::out_of_memory:
+            return "out of memory";
+        case RunStatus::interrupted:
+            return "interrupted";
+        case RunStatus::illegal:
+            return "illegal";
+        case RunStatus::contradiction:
+            return "contradiction";
+    }
+    return "";
+}
+
+class Agent::Run {
+  public:
+    Run(const KnowledgePlanner& planner, const AgentOptions& options, Belief& belief,
+        Environment& environment, const Budget& budget,
+        const std::function<void(const Event&, const Belief&)>& watch)
+        : planner_(planner),
+          options_(options),
+          belief_(belief),
+          environment_(environment),
+          budget_(budget),
+          watch_(watch) {}
+
+    RunResult operator()() {
+        if (!belief_.consistent()) {
+            finish(RunStatus::contradiction, "no first state satisfies the initial description");
+        } else if (observe(Environment::kStart)) {
+            while (!ended_ && !belief_.goal_known() && make_plan()) follow_plan();
+            if (!ended_ && belief_.goal_known()) finish(RunStatus::reached, "");
+        }
+        return std::move(result_);
+    }
+
+  private:
+    bool finish(RunStatus status, std::string message) {
+        ended_ = true;
+        result_.status = status;
+        result_.message = std::move(message);
+        Event event;
+        event.kind = Event::Kind::finished;
+        event.text = to_string(status);
+        if (!result_.message.empty()) event.text += ": " + result_.message;
+        tell(event);
+        return false;
+    }
+
+    void tell(const Event& event) const {
+        if (watch_) watch_(event, belief_);
+    }
+
+    std::string text(Fact fact) const { return planner_.compilation().belief().physical->fact_name(fact); }
+
+    bool exhausted() {
+        switch (budget_.exhausted()) {
+            case Stop::none:
+                return false;
+            case Stop::time:
+                return !finish(RunStatus::out_of_time, "");
+            case Stop::memory:
+                return !finish(RunStatus::out_of_memory, "");
+            case Stop::interrupted:
+                return !finish(RunStatus::interrupted, "");
+        }
+        return false;
+    }
+
+    /// Takes in what is read after an action. False if the run is over.
+    bool observe(std::uint32_t action) {
+        for (const Answer& answer : environment_.observe(action, budget_.stop_token())) {
+            const bool news = !belief_.knows(answer.fact);
+            if (!belief_.learn(answer.fact)) {
+                if (options_.ignore_contradictions) continue;
+                return finish(RunStatus::contradiction, "read " + text(answer.fact));
+            }
+            if (news && watch_) {
+                Event event;
+                event.kind = Event::Kind::read;
+                event.text = text(answer.fact);
+                tell(event);
+            }
+        }
+        return true;
+    }
+
+    bool make_plan() {
+        if (exhausted()) return false;
+        if (result_.plans >= options_.most_plans) return finish(RunStatus::step_limit, "too many plans");
+        const std::size_t visits = ++visits_[belief_.fingerprint()];
+        if (visits > options_.most_returns) return finish(RunStatus::stuck, "what is known does not change");
+        Configuration first = options_.first;
+        first.seed += visits - 1;
+        Random random(options_.first.seed + result_.plans);
+        belief_.begin_plan(random);
+        KnowledgePlan plan = planner_.plan(belief_, first, budget_.within(options_.plan_seconds));
+        double seconds = plan.seconds;
+        if (plan.status == Status::out_of_time || plan.status == Status::failed) {
+            plan = planner_.plan(belief_, options_.second, budget_);
+            seconds += plan.seconds;
+        }
+        ++result_.plans;
+        result_.plan_seconds.push_back(seconds);
+        if (plan.status != Status::solved) return no_plan(plan.status);
+        steps_ = std::move(plan.steps);
+        Event event;
+        event.text = reason_;
+        event.seconds = seconds;
+        for (OperatorId step : steps_)
+            event.plan_length += planner_.compilation().origin(step).action != CompiledOperator::kNone;
+        tell(event);
+        return true;
+    }
+
+    bool no_plan(Status status) {
+        switch (status) {
+            case Status::unsolvable:
+            case Status::unsolvable_early:
+                if (planner_.compilation().belief().physical->proved_unsolvable)
+                    return finish(RunStatus::infeasible, "no plan reaches the goal, whatever is true");
+                return finish(RunStatus::not_found, "no plan with what is known and can be found out");
+            case Status::out_of_memory:
+                return finish(RunStatus::out_of_memory, "");
+            case Status::out_of_time:
+                return finish(RunStatus::out_of_time, "");
+            case Status::interrupted:
+                return finish(RunStatus::interrupted, "");
+            default:
+                return finish(RunStatus::not_found, "");
+        }
+    }
+
+    void follow_plan() {
+        for (std::size_t next = 0; next < steps_.size() && !belief_.goal_known(); ++next) {
+            if (exhausted()) return;
+            if (!planner_.still_good(belief_, steps_, next)) {
+                reason_ = "not as assumed";
+                return;
+            }
+            read_early(next);
+            const OperatorId step = steps_[next];
+            if (planner_.superfluous(belief_, step)) continue;
+            if (!belief_.can(planner_.compilation().origin(step).action)) {
+                belief_.remember_exception(planner_.compilation().origin(step).action);
+                reason_ = "an action may not be possible";
+                return;
+            }
+            if (!execute(planner_.compilation().origin(step).action)) return;
+        }
+        reason_ = "the plan has ended";
+    }
+
+    /// What can be found out now is found out now, where the plan allows it: the next reading comes first.
+    void read_early(std::size_t next) {
+        const Compilation& compilation = planner_.compilation();
+        for (std::size_t i = next; i < steps_.size(); ++i) {
+            const CompiledOperator& origin = compilation.origin(steps_[i]);
+            if (!origin.reads || origin.action == CompiledOperator::kNone) continue;
+            if (i == next || planner_.superfluous(belief_, steps_[i]) || !belief_.can(origin.action)) return;
+            std::vector<OperatorId> order = steps_;
+            std::rotate(order.begin() + static_cast<std::ptrdiff_t>(next),
+                        order.begin() + static_cast<std::ptrdiff_t>(i),
+                        order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            if (planner_.still_good(belief_, order, next)) steps_ = std::move(order);
+            return;
+        }
+    }
+
+    /// False if the plan cannot go on.
+    bool execute(std::uint32_t action) {
+        if (result_.actions.size() >= options_.most_steps) return finish(RunStatus::step_limit, "");
+        const Execution execution = environment_.execute(action, budget_.stop_token());
+        Event event;
+        event.action = action;
+        event.text = execution.message;
+        event.kind =
+            execution.status == Execution::Status::done ? Event::Kind::executed : Event::Kind::failed;
+        result_.actions.push_back(action);
+        if (execution.status == Execution::Status::illegal) {
+            tell(event);
+            return finish(RunStatus::illegal, execution.message);
+        }
+        if (execution.status == Execution::Status::failed) {
+            tell(event);
+            reason_ = "an action failed";
+            observe(action);
+            return false;
+        }
+        belief_.act(action);
+        tell(event);
+        return observe(action);
+    }
+
+    const KnowledgePlanner& planner_;
+    const AgentOptions& options_;
+    Belief& belief_;
+    Environment& environment_;
+    const Budget& budget_;
+    const std::function<void(const Event&, const Belief&)>& watch_;
+    RunResult result_;
+    std::vector<OperatorId> steps_;
+    std::string reason_ = "the first plan";
+    std::unordered_map<std::uint64_t, std::size_t> visits_;
+    bool ended_ = false;
+};
+
+Agent::Agent(std::shared_ptr<const KnowledgePlanner> planner, AgentOptions options)
+    : planner_(std::move(planner)), options_(std::move(options)) {}
+
+RunResult Agent::run(Belief& belief, Environment& environment, const Budget& budget,
+                     const std::function<void(const Event&, const Belief&)>& watch) const {
+    return Run(*planner_, options_, belief, environment, budget, watch)();
+}
+
+}  // namespace praxis::belief

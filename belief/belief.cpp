@@ -1,0 +1,175 @@
+#include "belief/belief.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace praxis::belief {
+
+Belief::Belief(std::shared_ptr<const Compilation> compilation)
+    : compilation_(std::move(compilation)),
+      axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
+      initial_(compilation_->belief()),
+      consistent_(initial_.consistent()),
+      touched_(compilation_->belief().uncertain.size(), false),
+      values_(compilation_->task()->initial_values) {
+    const BeliefTask& task = compilation_->belief();
+    for (std::size_t v = 0; v < touched_.size(); ++v) {
+        const auto variable = static_cast<std::int32_t>(v);
+        if (!task.uncertain[v] || physical().derived(variable) || compilation_->tracked(variable)) continue;
+        const std::int32_t value = initial_.value(variable);
+        values_[basic(variable)] = value == BeliefTask::kUnknown ? Compilation::kNotKnown : value;
+    }
+    const Components& components = compilation_->components();
+    for (const Component& component : components.tracked) cases_.emplace_back(task, components, component);
+    exceptions_.resize(cases_.size());
+    complete();
+}
+
+bool Belief::knows(Fact fact) const {
+    const auto variable = static_cast<std::size_t>(fact.variable);
+    const Components& components = compilation_->components();
+    if (const std::uint32_t c = components.component_of[variable]; c != Components::kNone)
+        return cases_[c].value(components.column_of[variable]) == fact.value;
+    const Fact known = compilation_->known(fact);
+    return values_[static_cast<std::size_t>(known.variable)] == known.value;
+}
+
+bool Belief::knows(std::span<const Fact> facts) const {
+    return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return knows(fact); });
+}
+
+Truth Belief::truth(Fact fact) const {
+    if (knows(fact)) return Truth::known_true;
+    const std::int32_t size = physical().domain_sizes[static_cast<std::size_t>(fact.variable)];
+    for (std::int32_t value = 0; value < size; ++value)
+        if (value != fact.value && knows({fact.variable, value})) return Truth::known_false;
+    return Truth::unknown;
+}
+
+std::uint64_t Belief::fingerprint() const {
+    std::uint64_t result = 0xcbf29ce484222325ULL;
+    const auto mix = [&](std::uint64_t value) { result = (result ^ value) * 0x100000001b3ULL; };
+    for (std::size_t v = 0; v < touched_.size(); ++v) {
+        const auto variable = static_cast<std::int32_t>(v);
+        if (physical().derived(variable) || compilation_->tracked(variable)) continue;
+        mix(static_cast<std::uint64_t>(values_[basic(variable)]));
+    }
+    for (const Cases& cases : cases_) {
+        std::uint64_t sum = 0;  // the order of cases does not matter
+        for (std::size_t i = 0; i < cases.count(); ++i) {
+            std::uint64_t row = 0x9e3779b97f4a7c15ULL;
+            for (std::size_t column = 0; column < cases.width(); ++column)
+                row = (row ^ static_cast<std::uint64_t>(cases.row(i)[column])) * 0xff51afd7ed558ccdULL;
+            sum += row ^ (row >> 29);
+        }
+        mix(sum);
+    }
+    return result;
+}
+
+void Belief::act(std::uint32_t action) {
+    const BeliefTask& task = compilation_->belief();
+    const FiniteDomainTask& compiled = *compilation_->task();
+    for (const GroundEffect& effect : physical().effects[action]) {
+        const auto variable = static_cast<std::size_t>(effect.fact.variable);
+        if (!task.uncertain[variable] || touched_[variable]) continue;
+        const auto when = physical().conditions[effect.condition];
+        touched_[variable] = std::none_of(
+            when.begin(), when.end(), [&](const Fact& fact) { return truth(fact) == Truth::known_false; });
+    }
+    for (std::int32_t variable : task.forgotten[action]) touched_[static_cast<std::size_t>(variable)] = true;
+    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return knows(fact); });
+    before_ = values_;
+    for (const GroundEffect& effect : compilation_->effects(action))
+        if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
+            values_[static_cast<std::size_t>(effect.fact.variable)] = effect.fact.value;
+    complete();
+}
+
+bool Belief::learn(Fact fact) {
+    const BeliefTask& task = compilation_->belief();
+    if (knows(fact)) return true;
+    const auto variable = static_cast<std::size_t>(fact.variable);
+    if (truth(fact) == Truth::known_false || !task.uncertain[variable]) return false;
+    const Components& components = compilation_->components();
+    if (const std::uint32_t c = components.component_of[variable]; c != Components::kNone) {
+        const std::uint32_t column = components.column_of[variable];
+        if (!cases_[c].keep(column, fact.value)) return false;
+        const CompiledComponent& slots = compilation_->slots()[c];
+        for (std::size_t slot = 0; slot < slots.possible.size(); ++slot)
+            if (values_[static_cast<std::size_t>(slots.values[slot][column])] != fact.value)
+                values_[static_cast<std::size_t>(slots.possible[slot])] = 0;
+    } else if (touched_[variable]) {
+        values_[basic(fact.variable)] = fact.value;
+    } else {
+        news_.clear();
+        if (!initial_.learn(fact, news_, true)) return false;
+        for (std::int32_t other : news_)
+            if (!touched_[static_cast<std::size_t>(other)] && !compilation_->tracked(other))
+                values_[basic(other)] = initial_.value(other);
+    }
+    complete();
+    return true;
+}
+
+void Belief::forget(std::int32_t variable) {
+    touched_[static_cast<std::size_t>(variable)] = true;
+    values_[basic(variable)] = Compilation::kNotKnown;
+    complete();
+}
+
+void Belief::begin_plan(Random& random) {
+    // What could be read after the last action has been read.
+    if (const std::int32_t moment = compilation_->moment(); moment >= 0)
+        values_[static_cast<std::size_t>(moment)] = 0;
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+        const Cases& cases = cases_[c];
+        const CompiledComponent& slots = compilation_->slots()[c];
+        std::vector<std::size_t> order(cases.count());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        if (order.size() > slots.possible.size()) {
+            random.shuffle(order);
+            const std::vector<std::int8_t>& wanted = exceptions_[c];
+            for (std::size_t i = 0; i < order.size() && !wanted.empty(); ++i)
+                if (std::equal(wanted.begin(), wanted.end(), cases.row(order[i])))
+                    std::swap(order[0], order[i]);
+        }
+        for (std::size_t slot = 0; slot < slots.possible.size(); ++slot) {
+            const bool used = slot < order.size();
+            values_[static_cast<std::size_t>(slots.possible[slot])] = used;
+            const std::int8_t* const row = cases.row(order[used ? slot : 0]);
+            for (std::size_t column = 0; column < slots.values[slot].size(); ++column)
+                values_[static_cast<std::size_t>(slots.values[slot][column])] = row[column];
+        }
+        exceptions_[c].clear();
+    }
+    if (!cases_.empty()) complete();
+}
+
+void Belief::remember_exception(std::uint32_t action) {
+    const Components& components = compilation_->components();
+    for (const Fact& fact : physical().preconditions[action]) {
+        const auto variable = static_cast<std::size_t>(fact.variable);
+        const std::uint32_t c = components.component_of[variable];
+        if (c == Components::kNone || knows(fact)) continue;
+        const std::size_t i = cases_[c].exception(components.column_of[variable], fact.value);
+        exceptions_[c].assign(cases_[c].row(i), cases_[c].row(i) + cases_[c].width());
+    }
+}
+
+void Belief::complete() {
+    const FiniteDomainTask& compiled = *compilation_->task();
+    for (std::size_t v = 0; v < values_.size(); ++v)
+        if (compiled.derived(static_cast<std::int32_t>(v))) values_[v] = compiled.initial_values[v];
+    for (const CompiledClause& clause : compilation_->clauses()) {
+        std::int32_t& closed = values_[static_cast<std::size_t>(clause.variable)];
+        if (closed == 0 && std::any_of(clause.about.begin(), clause.about.end(), [&](std::int32_t variable) {
+                return touched_[static_cast<std::size_t>(variable)];
+            }))
+            closed = 1;
+    }
+    axioms_->complete(values_.data(), scratch_);
+}
+
+}  // namespace praxis::belief

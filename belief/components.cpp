@@ -1,0 +1,89 @@
+#include "belief/components.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "belief/worlds.hpp"
+
+namespace praxis::belief {
+namespace {
+
+std::size_t index(std::int32_t variable) {
+    return static_cast<std::size_t>(variable);
+}
+
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t size) : parent_(size) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t item) {
+        while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
+        return item;
+    }
+    void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+Components find_components(const BeliefTask& task, std::size_t most_cases) {
+    const FiniteDomainTask& physical = *task.physical;
+    const std::size_t count = physical.variable_count();
+    DisjointSets sets(count);
+    const auto uncertain = [&](const Fact& fact) {
+        return static_cast<bool>(task.uncertain[index(fact.variable)]);
+    };
+    for (const auto* lists : {&task.clauses, &task.groups})
+        for (std::size_t i = 0; i < lists->size(); ++i)
+            for (const Fact& fact : (*lists)[i])
+                sets.join(index(fact.variable), index((*lists)[i].front().variable));
+
+    // Effects that depend on what the precondition leaves open.
+    std::vector<bool> dependent(count, false);
+    for (std::size_t o = 0; o < physical.operator_count(); ++o) {
+        const auto precondition = physical.preconditions[o];
+        for (const GroundEffect& effect : physical.effects[o]) {
+            for (const Fact& fact : physical.conditions[effect.condition]) {
+                if (!uncertain(fact) ||
+                    std::find(precondition.begin(), precondition.end(), fact) != precondition.end())
+                    continue;
+                sets.join(index(fact.variable), index(effect.fact.variable));
+                dependent[index(effect.fact.variable)] = true;
+            }
+        }
+    }
+    std::map<std::size_t, Component> found;
+    for (std::size_t v = 0; v < count; ++v)
+        if (dependent[v]) found[sets.find(v)];
+    for (std::size_t v = 0; v < count; ++v) {
+        const auto variable = static_cast<std::int32_t>(v);
+        if (!task.uncertain[v] || physical.derived(variable)) continue;
+        if (const auto place = found.find(sets.find(v)); place != found.end())
+            place->second.variables.push_back(variable);
+    }
+
+    // What an action leaves to chance has no cases that could be counted beforehand.
+    for (std::int32_t variable : task.forgotten.items()) found.erase(sets.find(index(variable)));
+
+    Components result;
+    result.component_of.assign(count, Components::kNone);
+    result.column_of.assign(count, Components::kNone);
+    for (auto& [root, component] : found) {
+        const auto rows = enumerate_values(task, component.variables, most_cases);
+        if (!rows || rows->empty()) continue;
+        component.cases = *rows;
+        for (std::size_t i = 0; i < component.variables.size(); ++i) {
+            result.component_of[index(component.variables[i])] =
+                static_cast<std::uint32_t>(result.tracked.size());
+            result.column_of[index(component.variables[i])] = static_cast<std::uint32_t>(i);
+        }
+        result.tracked.push_back(std::move(component));
+    }
+    return result;
+}
+
+}  // namespace praxis::belief

@@ -1,0 +1,64 @@
+#include "belief/simulated_world.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace praxis::belief {
+
+SimulatedWorld::SimulatedWorld(std::shared_ptr<const BeliefTask> task, WorldState state, double noise,
+                               std::uint64_t seed)
+    : task_(std::move(task)),
+      axioms_(*task_->physical),
+      state_(std::move(state)),
+      noise_(noise),
+      random_(seed) {
+    if (!(noise >= 0 && noise <= 0.5)) throw std::invalid_argument("noise must be between 0 and 0.5");
+    complete();
+}
+
+Execution SimulatedWorld::execute(std::uint32_t action, std::stop_token) {
+    const FiniteDomainTask& task = *task_->physical;
+    if (!applicable(action)) {
+        return {Execution::Status::illegal, task.operator_name(OperatorId(action)) + " is not possible here"};
+    }
+    before_ = state_;
+    for (const GroundEffect& effect : task.effects[action])
+        if (all_hold(task.conditions[effect.condition], before_.data()))
+            state_[static_cast<std::size_t>(effect.fact.variable)] = effect.fact.value;
+    for (std::int32_t variable : task_->forgotten[action])
+        state_[static_cast<std::size_t>(variable)] = static_cast<std::int32_t>(random_.below(2));
+    complete();
+    return {};
+}
+
+std::vector<Answer> SimulatedWorld::observe(std::uint32_t action, std::stop_token) {
+    std::vector<Answer> answers;
+    if (action != kStart)
+        for (const GroundReading& reading : task_->readings[action]) answer(reading, answers);
+    for (std::size_t s = 0; s < task_->sensors.size(); ++s)
+        if (all_hold(task_->sensor_conditions[s], state_.data())) answer(task_->sensors[s].reading, answers);
+    return answers;
+}
+
+void SimulatedWorld::answer(const GroundReading& reading, std::vector<Answer>& answers) {
+    const double error = noise_ + (1 - reading.accuracy) * (1 - 2 * noise_);
+    Answer answer{reading.fact, 1 - error};
+    bool holds = state_[static_cast<std::size_t>(reading.fact.variable)] == reading.fact.value;
+    if (error > 0 && static_cast<double>(random_.next() >> 11) * 0x1p-53 < error) holds = !holds;
+    if (!holds) {
+        // Facts that are read are one of two values, or certain anyway.
+        const auto variable = static_cast<std::size_t>(reading.fact.variable);
+        if (task_->physical->domain_sizes[variable] != 2) return;
+        answer.fact.value = 1 - reading.fact.value;
+    }
+    answers.push_back(answer);
+}
+
+void SimulatedWorld::complete() {
+    const FiniteDomainTask& task = *task_->physical;
+    for (std::size_t v = 0; v < state_.size(); ++v)
+        if (task.derived(static_cast<std::int32_t>(v))) state_[v] = task.initial_values[v];
+    axioms_.complete(state_.data(), scratch_);
+}
+
+}  // namespace praxis::belief

@@ -1,0 +1,46 @@
+// A simulated world: the true state, which only readings tell about.
+//
+// It executes the physical task's operators (it never learns which outcome a plan hoped for), answers the
+// readings of actions and of all sensors whose condition truly holds, and lies with a given probability.
+#pragma once
+
+#include <memory>
+
+#include "belief/environment.hpp"
+#include "belief/worlds.hpp"
+#include "search/state/axiom_evaluator.hpp"
+
+namespace praxis::belief {
+
+class SimulatedWorld : public Environment {
+  public:
+    /// Starts in `state`. `noise`: the probability, 0 to 0.5, that an answer is the wrong one, each by
+    /// itself.
+    SimulatedWorld(std::shared_ptr<const BeliefTask> task, WorldState state, double noise = 0,
+                   std::uint64_t seed = 0);
+
+    /// An action whose precondition does not hold is illegal and changes nothing.
+    Execution execute(std::uint32_t action, std::stop_token stop = {}) override;
+    std::vector<Answer> observe(std::uint32_t action, std::stop_token stop = {}) override;
+
+    /// The goal holds, whatever anybody believes.
+    bool goal_holds() const { return all_hold(task_->physical->goal, state_.data()); }
+    bool applicable(std::uint32_t action) const {
+        return all_hold(task_->physical->preconditions[action], state_.data());
+    }
+    const WorldState& state() const { return state_; }
+
+  private:
+    void complete();
+    void answer(const GroundReading& reading, std::vector<Answer>& answers);
+
+    std::shared_ptr<const BeliefTask> task_;
+    AxiomEvaluator axioms_;
+    AxiomEvaluator::Scratch scratch_;
+    WorldState state_;
+    WorldState before_;
+    double noise_;
+    Random random_;
+};
+
+}  // namespace praxis::belief
