@@ -66,6 +66,8 @@ Options with_common(Options options) {
     options.push_back(cost_type_option("normal", "how g counts operator costs"));
     options.push_back({"bound", OptionType::integer, "infinity", "find only plans that cost less", {}, 0});
     options.push_back({"max_time", OptionType::real, "infinity", "seconds that the search may take"});
+    options.push_back({"max_work", OptionType::real, "infinity",
+                       "the same in counted steps, a nanosecond each, so that runs can be repeated"});
     return options;
 }
 
@@ -82,6 +84,7 @@ SearchPlan common_plan(const Call& call, Workshop& workshop, Expansion expansion
     plan.expansion = expansion;
     plan.bound = call.integer("bound");
     plan.max_time = call["max_time"].real;
+    plan.max_work = call["max_work"].real;
     plan.seed = workshop.seed();
     plan.cost_type = cost_type_of(call);
     if (has_option(call, "reopen_closed")) plan.reopen_closed = call.flag("reopen_closed");

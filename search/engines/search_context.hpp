@@ -17,7 +17,7 @@ struct SearchContext {
         : plan(search_plan),
           evaluator(std::move(heuristics), plan),
           space(run.prepared.parts(), run.query, plan, evaluator.remembered()),
-          monitor(budget, run.callbacks, run.seat),
+          monitor(budget, run.callbacks, run.seat, search_plan.max_work),
           callbacks(run.callbacks) {}
 
     const SearchPlan& plan;

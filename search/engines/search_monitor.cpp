@@ -1,6 +1,7 @@
 #include "search/engines/search_monitor.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "search/engines/search_space.hpp"
 #include "search/engines/state_evaluator.hpp"
@@ -13,17 +14,21 @@ namespace {
 constexpr auto kReportInterval = std::chrono::milliseconds(250);
 constexpr auto kLookInterval = std::chrono::microseconds(1000);
 constexpr std::uint32_t kMaximumInterval = 1 << 14;
+constexpr double kWorkPerSecond = 1e9;
+constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
 
-SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat)
+SearchMonitor::SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat,
+                             double most_work)
     : budget_(budget),
       callbacks_(&callbacks),
       start_(Clock::now()),
       last_look_(start_),
       next_report_(start_ + kReportInterval),
-      seat_(seat) {
-    if (seat_ != nullptr) turn_end_ = seat_->work();
+      seat_(seat),
+      work_end_(most_work < 1e9 ? static_cast<std::uint64_t>(most_work * kWorkPerSecond) : kNoEnd) {
+    turn_end_ = std::min(work_end_, seat_ == nullptr ? kNoEnd : seat_->work());
 }
 
 bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluator) {
@@ -36,9 +41,13 @@ bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluat
         interval_ = std::max(interval_ / 4, 1u);
     }
     countdown_ = interval_;
+    if (work(evaluator) >= work_end_) {
+        spent_ = true;
+        return true;
+    }
     if (seat_ != nullptr && work(evaluator) >= turn_end_) {
         seat_->pass();
-        turn_end_ = work(evaluator) + seat_->work();
+        turn_end_ = std::min(work_end_, work(evaluator) + seat_->work());
         last_look_ = Clock::now();
     }
     if (callbacks_->on_progress && now >= next_report_) {
@@ -50,7 +59,7 @@ bool SearchMonitor::look(const SearchSpace& space, const StateEvaluator& evaluat
 }
 
 Status SearchMonitor::status() const {
-    return status_of(budget_.exhausted());
+    return spent_ ? Status::out_of_time : status_of(budget_.exhausted());
 }
 
 void SearchMonitor::finish(const SearchSpace& space, const StateEvaluator& evaluator) {

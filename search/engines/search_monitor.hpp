@@ -15,15 +15,15 @@ class Seat;
 
 class SearchMonitor {
   public:
-    /// Where engines take turns, `seat` is the search's; null otherwise.
-    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat);
+    /// Where engines take turns, `seat` is the search's; null otherwise. `most_work`: in counted seconds.
+    SearchMonitor(const Budget& budget, const SearchCallbacks& callbacks, Seat* seat, double most_work);
 
     SearchStatistics statistics;
 
     /// To be asked at least once a millisecond or so of work; asks the budget about that often, and reports
     /// progress. True: the search must end.
     bool stop(const SearchSpace& space, const StateEvaluator& evaluator) {
-        if (--countdown_ != 0 && (seat_ == nullptr || work(evaluator) < turn_end_)) return false;
+        if (--countdown_ != 0 && work(evaluator) < turn_end_) return false;
         return look(space, evaluator);
     }
     /// Why the search must end, as a status.
@@ -48,7 +48,9 @@ class SearchMonitor {
     std::uint32_t interval_ = 1;
     std::uint32_t countdown_ = 1;
     Seat* seat_;
-    std::uint64_t turn_end_ = 0;  ///< the work at which the turn is over
+    std::uint64_t turn_end_;  ///< the work at which the turn, or all of it, is over
+    std::uint64_t work_end_;  ///< the work at which the search is over
+    bool spent_ = false;
 };
 
 }  // namespace praxis

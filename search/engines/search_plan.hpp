@@ -33,6 +33,7 @@ struct SearchPlan {
     std::int64_t bound = kInfinity;             ///< plans cost less than this, by the task's costs
     const SharedBound* shared_bound = nullptr;  ///< and less than this; may be null
     double max_time = std::numeric_limits<double>::infinity();
+    double max_work = std::numeric_limits<double>::infinity();  ///< in counted seconds (see SearchMonitor)
     bool go_on = false;    ///< after a plan, for cheaper ones; lazy search only
     bool optimal = false;  ///< the first plan found is a cheapest one
     std::uint64_t seed = 0;

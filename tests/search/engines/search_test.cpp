@@ -312,6 +312,9 @@ INSTANTIATE_TEST_SUITE_P(Engines, Limits,
 
 TEST(Search, EndsWhenItsOwnTimeIsOver) {
     EXPECT_EQ(run(endless_task(28), "astar(blind(),max_time=0.1)").status, Status::out_of_time);
+    const Outcome once = run(endless_task(28), "astar(blind(),max_work=0.01)");
+    EXPECT_EQ(once.status, Status::out_of_time);
+    EXPECT_EQ(once.statistics.expanded, run(endless_task(28), "astar(blind(),max_work=0.01)").statistics.expanded);
 }
 
 std::size_t virtual_memory() {
