@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 plan_packages=(g++ cmake ninja-build ccache libboost-dev libcli11-dev nlohmann-json3-dev)
-test_packages=(libgtest-dev librapidcheck-dev)
+test_packages=(libgtest-dev librapidcheck-dev libssl-dev libpng-dev)
 other_packages=(clang libclang-rt-14-dev libbenchmark-dev python3)
 
 mode=plan

@@ -1,15 +1,22 @@
 #include "belief/agent.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "belief/evidence.hpp"
+
 namespace praxis::belief {
 
 AgentOptions default_agent_options() {
+    // LAMA's first search, then what blind search can still improve in three milliseconds of counted work.
+    const std::string estimates = "[ff(cost_type=one),landmark_sum(cost_type=one)]";
     AgentOptions options;
-    options.first = configuration("lazy_greedy([ff()],preferred=[ff()])");
+    options.first = configuration("iterated([lazy_greedy(" + estimates + ",preferred=" + estimates +
+                                  ",cost_type=one),astar(blind(),max_work=0.003)],repeat_last=false,"
+                                  "improve=false)");
     options.second = alias("agile");
     return options;
 }
@@ -50,7 +57,9 @@ class Agent::Run {
           belief_(belief),
           environment_(environment),
           budget_(budget),
-          watch_(watch) {}
+          watch_(watch) {
+        if (options.accept > 0) evidence_.emplace(belief, options.accept);
+    }
 
     RunResult operator()() {
         if (!belief_.consistent()) {
@@ -99,7 +108,9 @@ class Agent::Run {
     bool observe(std::uint32_t action) {
         for (const Answer& answer : environment_.observe(action, budget_.stop_token())) {
             const bool news = !belief_.knows(answer.fact);
-            if (!belief_.learn(answer.fact)) {
+            if (evidence_) {
+                evidence_->read(answer);
+            } else if (!belief_.learn(answer.fact)) {
                 if (options_.ignore_contradictions) continue;
                 return finish(RunStatus::contradiction, "read " + text(answer.fact));
             }
@@ -116,7 +127,7 @@ class Agent::Run {
     bool make_plan() {
         if (exhausted()) return false;
         if (result_.plans >= options_.most_plans) return finish(RunStatus::step_limit, "too many plans");
-        const std::size_t visits = ++visits_[belief_.fingerprint()];
+        const std::size_t visits = ++visits_[belief_.fingerprint() + (evidence_ ? evidence_->readings() : 0)];
         if (visits > options_.most_returns) return finish(RunStatus::stuck, "what is known does not change");
         Configuration first = options_.first;
         first.seed += visits - 1;
@@ -125,11 +136,12 @@ class Agent::Run {
         KnowledgePlan plan = planner_.plan(belief_, first, budget_.within(options_.plan_seconds));
         double seconds = plan.seconds;
         if (plan.status == Status::out_of_time || plan.status == Status::failed) {
-            plan = planner_.plan(belief_, options_.second, budget_);
+            plan = planner_.plan(belief_, options_.second, budget_.within(options_.second_seconds));
             seconds += plan.seconds;
         }
         ++result_.plans;
         result_.plan_seconds.push_back(seconds);
+        if (plan.status != Status::solved && evidence_ && evidence_->guess()) return make_plan();
         if (plan.status != Status::solved) return no_plan(plan.status);
         steps_ = std::move(plan.steps);
         Event event;
@@ -215,7 +227,10 @@ class Agent::Run {
             observe(action);
             return false;
         }
-        belief_.act(action);
+        if (evidence_)
+            evidence_->act(action);
+        else
+            belief_.act(action);
         tell(event);
         return observe(action);
     }
@@ -227,6 +242,7 @@ class Agent::Run {
     const Budget& budget_;
     const std::function<void(const Event&, const Belief&)>& watch_;
     RunResult result_;
+    std::optional<Evidence> evidence_;
     std::vector<OperatorId> steps_;
     std::string reason_ = "the first plan";
     std::unordered_map<std::uint64_t, std::size_t> visits_;

@@ -17,12 +17,17 @@
 namespace praxis::belief {
 
 struct AgentOptions {
-    /// The search for each plan; where it finds none in `plan_seconds`, `second` goes on.
+    /// The search for each plan; where it finds none in `plan_seconds` (of wall time), `second` has
+    /// `second_seconds`.
     Configuration first;
     Configuration second;
     double plan_seconds = 2;
+    double second_seconds = 10;
     std::size_t most_steps = 100'000;  ///< actions
     std::size_t most_plans = 100'000;
+    /// Readings of accuracy below 1 are weighed, and believed from this probability on (see `Evidence`); 0:
+    /// every reading is believed at once.
+    double accept = 0;
     /// A reading that contradicts what is known is passed over, and does not end the run.
     bool ignore_contradictions = false;
     std::size_t most_returns = 8;  ///< to one belief, when planning, before the run counts as stuck

@@ -23,6 +23,9 @@ class Augmenter {
     explicit Augmenter(const ContingentTask& source)
         : source_(source), task_(std::make_shared<LiftedTask>(*source.task)) {
         seen_.resize(task_->predicates.size());
+        forgotten_.assign(task_->predicates.size(), false);
+        for (const SchemaSensing& sensing : source_.sensing)
+            for (const Effect& effect : sensing.forgotten) forgotten_[effect.predicate.index()] = true;
         result_.uncertain.resize(task_->predicates.size());
         for (std::size_t p = 0; p < task_->predicates.size(); ++p)
             result_.uncertain[p].arity = static_cast<std::uint32_t>(task_->predicates[p].parameters.size());
@@ -87,31 +90,44 @@ class Augmenter {
             relation->arguments.insert(relation->arguments.end(), arguments.begin(), arguments.end());
             ++relation->count;
         }
-        if (++count_ > kMostUncertain)
-            grounding::refuse(*source_.task, task_->predicates[predicate].where,
-                              "more than two million uncertain atoms");
+        if (++count_ > kMostUncertain) refuse_too_many(task_->predicates[predicate]);
     }
 
     void add_all(std::size_t predicate) {
         std::vector<ObjectId> arguments;
-        add_all(predicate, arguments);
+        for_each_tuple(task_->predicates[predicate], arguments, [&] { add(predicate, arguments); });
     }
-    void add_all(std::size_t predicate, std::vector<ObjectId>& arguments) {
-        const auto& parameters = task_->predicates[predicate].parameters;
-        if (arguments.size() == parameters.size()) return add(predicate, arguments);
-        for (ObjectId object : task_->types[parameters[arguments.size()].index()].objects) {
+    template <class Visit>
+    void for_each_tuple(const Predicate& predicate, std::vector<ObjectId>& arguments,
+                        const Visit& visit) const {
+        if (arguments.size() == predicate.parameters.size()) return visit();
+        for (ObjectId object : task_->types[predicate.parameters[arguments.size()].index()].objects) {
             arguments.push_back(object);
-            add_all(predicate, arguments);
+            for_each_tuple(predicate, arguments, visit);
             arguments.pop_back();
         }
+    }
+
+    Relation all_tuples(const Predicate& predicate) const {
+        Relation result;
+        result.arity = static_cast<std::uint32_t>(predicate.parameters.size());
+        std::vector<ObjectId> arguments;
+        for_each_tuple(predicate, arguments, [&] {
+            result.arguments.insert(result.arguments.end(), arguments.begin(), arguments.end());
+            if (++result.count > kMostUncertain) refuse_too_many(predicate);
+        });
+        return result;
+    }
+
+    [[noreturn]] void refuse_too_many(const Predicate& predicate) const {
+        grounding::refuse(*source_.task, predicate.where, "more than two million uncertain atoms");
     }
 
     /// Predicates of which some atom may be uncertain at some time.
     std::vector<bool> uncertain_predicates() const {
         std::vector<bool> open(task_->predicates.size(), false);
         for (std::size_t p = 0; p < open.size(); ++p) open[p] = result_.uncertain[p].count > 0;
-        for (const SchemaSensing& sensing : source_.sensing)
-            for (const Effect& effect : sensing.forgotten) open[effect.predicate.index()] = true;
+        for (std::size_t p = 0; p < open.size(); ++p) open[p] = open[p] || forgotten_[p];
         for (bool changed = true; changed;) {
             changed = false;
             const auto mark = [&](PredicateId predicate) {
@@ -157,7 +173,7 @@ class Augmenter {
         task_->predicates[p].fluent = true;
         const PredicateId open = declare("@open-" + predicate.name, predicate.parameters, false);
         Relation& atoms = task_->initial_atoms[open.index()];
-        atoms = result_.uncertain[p];
+        atoms = forgotten_[p] ? all_tuples(predicate) : result_.uncertain[p];
         if (atoms.count == 0 && !first_tuple(predicate, atoms)) return;
         for (const bool add : {true, false}) {
             Schema schema;
@@ -191,6 +207,7 @@ class Augmenter {
     std::shared_ptr<LiftedTask> task_;
     Augmented result_;
     std::vector<std::set<std::vector<ObjectId>>> seen_;  ///< by predicate: atoms that have been looked at
+    std::vector<bool> forgotten_;                        ///< by predicate: some action forgets its atoms
     PredicateId sense_;
     std::size_t count_ = 0;
 };

@@ -10,6 +10,7 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
     : compilation_(std::move(compilation)),
       axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
       initial_(compilation_->belief()),
+      derived_(compilation_->belief()),
       consistent_(initial_.consistent()),
       touched_(compilation_->belief().uncertain.size(), false),
       values_(compilation_->task()->initial_values) {
@@ -26,13 +27,16 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
     complete();
 }
 
-bool Belief::knows(Fact fact) const {
-    const auto variable = static_cast<std::size_t>(fact.variable);
+std::int32_t Belief::value(std::int32_t variable) const {
+    const auto v = static_cast<std::size_t>(variable);
+    if (physical().derived(variable)) return derived_.value(variable);
     const Components& components = compilation_->components();
-    if (const std::uint32_t c = components.component_of[variable]; c != Components::kNone)
-        return cases_[c].value(components.column_of[variable]) == fact.value;
-    const Fact known = compilation_->known(fact);
-    return values_[static_cast<std::size_t>(known.variable)] == known.value;
+    if (const std::uint32_t c = components.component_of[v]; c != Components::kNone)
+        return cases_[c].value(components.column_of[v]);
+    // Deduction in plans is part of what the closure of the first state finds.
+    const std::int32_t value = values_[basic(variable)];
+    return compilation_->belief().uncertain[v] && value == Compilation::kNotKnown ? BeliefTask::kUnknown
+                                                                                  : value;
 }
 
 bool Belief::knows(std::span<const Fact> facts) const {
@@ -40,11 +44,9 @@ bool Belief::knows(std::span<const Fact> facts) const {
 }
 
 Truth Belief::truth(Fact fact) const {
-    if (knows(fact)) return Truth::known_true;
-    const std::int32_t size = physical().domain_sizes[static_cast<std::size_t>(fact.variable)];
-    for (std::int32_t value = 0; value < size; ++value)
-        if (value != fact.value && knows({fact.variable, value})) return Truth::known_false;
-    return Truth::unknown;
+    const std::int32_t now = value(fact.variable);
+    if (now == BeliefTask::kUnknown) return Truth::unknown;
+    return now == fact.value ? Truth::known_true : Truth::known_false;
 }
 
 std::uint64_t Belief::fingerprint() const {
@@ -54,6 +56,10 @@ std::uint64_t Belief::fingerprint() const {
         const auto variable = static_cast<std::int32_t>(v);
         if (physical().derived(variable) || compilation_->tracked(variable)) continue;
         mix(static_cast<std::uint64_t>(values_[basic(variable)]));
+        if (compilation_->belief().uncertain[v]) {
+            mix(touched_[v]);
+            mix(static_cast<std::uint64_t>(initial_.value(variable) + 1));
+        }
     }
     for (const Cases& cases : cases_) {
         std::uint64_t sum = 0;  // the order of cases does not matter
@@ -170,6 +176,7 @@ void Belief::complete() {
             closed = 1;
     }
     axioms_->complete(values_.data(), scratch_);
+    if (physical().has_axioms()) derived_.update([&](std::int32_t variable) { return value(variable); });
 }
 
 }  // namespace praxis::belief

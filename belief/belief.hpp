@@ -13,6 +13,7 @@
 
 #include "belief/cases.hpp"
 #include "belief/compilation.hpp"
+#include "belief/derived_knowledge.hpp"
 #include "belief/initial_knowledge.hpp"
 #include "belief/percept.hpp"
 #include "search/engines/random.hpp"
@@ -26,13 +27,16 @@ class Belief {
     explicit Belief(std::shared_ptr<const Compilation> compilation);
 
     const Compilation& compilation() const { return *compilation_; }
+    const std::shared_ptr<const Compilation>& shared_compilation() const { return compilation_; }
     /// The initial description has a model as far as deduction can tell.
     bool consistent() const { return consistent_; }
 
     /// By compiled variable, the derived ones included.
     const std::vector<std::int32_t>& values() const { return values_; }
+    /// The known value of a physical variable, or BeliefTask::kUnknown.
+    std::int32_t value(std::int32_t variable) const;
     /// The physical fact is known to hold.
-    bool knows(Fact fact) const;
+    bool knows(Fact fact) const { return value(fact.variable) == fact.value; }
     bool knows(std::span<const Fact> facts) const;
     Truth truth(Fact fact) const;
     /// The action's precondition is known to hold.
@@ -66,6 +70,7 @@ class Belief {
     std::shared_ptr<const AxiomEvaluator> axioms_;
     AxiomEvaluator::Scratch scratch_;
     InitialKnowledge initial_;
+    DerivedKnowledge derived_;
     bool consistent_ = true;
     std::vector<bool> touched_;  ///< by physical variable: an action may have changed it
     std::vector<std::int32_t> values_;

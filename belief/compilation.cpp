@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -102,13 +103,17 @@ class Compiler {
                          [&](const Fact& fact) { return changeable_[index(fact.variable)]; }))
             return kAlways;
         CompiledClause clause{-1, {}};
-        for (const Fact& fact : facts) clause.about.push_back(fact.variable);
+        for (const Fact& fact : facts) {
+            clause.about.push_back(fact.variable);
+            guards_of_[index(fact.variable)].push_back(static_cast<std::uint32_t>(result_.clauses_.size()));
+        }
         result_.clauses_.push_back(std::move(clause));
         return result_.clauses_.size() - 1;
     }
 
     /// Which knowledge can be deduced, and which is needed as a derived variable.
     void collect_axioms() {
+        guards_of_.resize(physical_.variable_count());
         deduced_.assign(physical_.fact_count(), false);
         reasons_.resize(physical_.fact_count());
         for (std::size_t c = 0; c < belief_.clauses.size(); ++c) {
@@ -413,9 +418,9 @@ class Compiler {
                 continue;
             }
             // Where it must be the other value to change, it is the new one afterwards in any case.
-            std::erase(reason, opposite(effect.fact));
-            if (std::find(reason.begin(), reason.end(), effect.fact) != reason.end() && alone(o, variable))
-                continue;
+            const bool single = alone(o, variable);
+            if (single) std::erase(reason, opposite(effect.fact));
+            if (std::find(reason.begin(), reason.end(), effect.fact) != reason.end() && single) continue;
             changes.push_back({effect.fact, std::move(reason)});
         }
         for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -443,7 +448,20 @@ class Compiler {
         }
         for (std::int32_t variable : belief_.forgotten[o])
             add_effect(result, {result_.variables_[index(variable)], Compilation::kNotKnown}, {});
+        close_clauses(o, result);
         return result;
+    }
+
+    /// Nothing is deduced any more from clauses in which the action may change something.
+    void close_clauses(std::size_t o, std::vector<GroundEffect>& effects) {
+        std::set<std::int32_t> closed;
+        const auto close = [&](std::int32_t variable) {
+            for (std::uint32_t clause : guards_of_[index(variable)])
+                closed.insert(result_.clauses_[clause].variable);
+        };
+        for (const GroundEffect& effect : physical_.effects[o]) close(effect.fact.variable);
+        for (std::int32_t variable : belief_.forgotten[o]) close(variable);
+        for (std::int32_t variable : closed) effects.push_back({{variable, 1}, 0});
     }
 
     /// Only one effect of the operator is about the variable.
@@ -624,12 +642,13 @@ class Compiler {
     const BeliefTask& belief_;
     const FiniteDomainTask& physical_;
     std::shared_ptr<FiniteDomainTask> task_;
-    std::vector<bool> deduced_;                 ///< by physical fact: knowledge of it is a derived variable
-    std::vector<bool> changeable_;              ///< by physical variable: some action has an effect on it
-    std::vector<std::int32_t> moments_;         ///< by operator: its value of the moment variable, or 0
-    std::vector<bool> readable_;                ///< by physical variable
-    std::vector<std::vector<Reason>> reasons_;  ///< by physical fact: what it is deduced from
-    std::vector<Fact> possible_;                ///< by physical fact, of derived variables
+    std::vector<bool> deduced_;          ///< by physical fact: knowledge of it is a derived variable
+    std::vector<bool> changeable_;       ///< by physical variable: some action has an effect on it
+    std::vector<std::int32_t> moments_;  ///< by operator: its value of the moment variable, or 0
+    std::vector<std::vector<std::uint32_t>> guards_of_;  ///< by physical variable: guarded clauses
+    std::vector<bool> readable_;                         ///< by physical variable
+    std::vector<std::vector<Reason>> reasons_;           ///< by physical fact: what it is deduced from
+    std::vector<Fact> possible_;                         ///< by physical fact, of derived variables
     std::map<std::string, std::uint32_t> symbols_;
     std::map<Condition, std::uint32_t> conditions_;
     std::vector<std::vector<Fact>> neighbours_;          ///< by physical fact: implied by it

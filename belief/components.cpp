@@ -56,9 +56,30 @@ Components find_components(const BeliefTask& task, std::size_t most_cases) {
             }
         }
     }
+    // Where effects depend on derived atoms, cases would have to be derived: not tracked.
+    std::vector<bool> wanted(count, false);
+    for (const GroundEffect& effect : physical.effects.items())
+        for (const Fact& fact : physical.conditions[effect.condition])
+            if (uncertain(fact) && physical.derived(fact.variable)) wanted[index(fact.variable)] = true;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t a = 0; a < physical.axioms.size(); ++a) {
+            const std::size_t head = index(physical.axioms[a].head.variable);
+            if (!wanted[head]) continue;
+            for (const Fact& fact : physical.axiom_bodies[a]) {
+                if (!uncertain(fact)) continue;
+                sets.join(index(fact.variable), head);
+                changed = changed || (physical.derived(fact.variable) && !wanted[index(fact.variable)]);
+                wanted[index(fact.variable)] = true;
+            }
+        }
+    }
+
     std::map<std::size_t, Component> found;
     for (std::size_t v = 0; v < count; ++v)
         if (dependent[v]) found[sets.find(v)];
+    for (std::size_t v = 0; v < count; ++v)
+        if (wanted[v] && physical.derived(static_cast<std::int32_t>(v))) found.erase(sets.find(v));
     for (std::size_t v = 0; v < count; ++v) {
         const auto variable = static_cast<std::int32_t>(v);
         if (!task.uncertain[v] || physical.derived(variable)) continue;

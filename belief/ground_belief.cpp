@@ -38,6 +38,7 @@ class Grounder {
         split_operators();
         task_->physical = physical_;
         mark_uncertain();
+        if (physical_->proved_unsolvable) return std::move(task_);  // nearly nothing is left to speak of
         add_initial_clauses();
         add_worlds();
         return std::move(task_);

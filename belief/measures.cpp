@@ -132,12 +132,17 @@ std::string to_string(const Measures& measures) {
     std::snprintf(head, sizeof head, "%zu runs, means and 95 %% intervals\n", measures.runs);
     if (measures.length_ratio)
         std::snprintf(ratio, sizeof ratio, "%-16s %9.3f\n", "steps / best", *measures.length_ratio);
-    return head + line("success %", measures.success, 100, 1) +
-           line("false success %", measures.false_success, 100, 1) +
-           line("SPL (informed)", measures.spl_info, 1, 3) +
-           line("SPL (omniscient)", measures.spl_omni, 1, 3) + line("steps", measures.length, 1, 2) +
-           line("of successes", measures.successful_length, 1, 2) + line("plans", measures.plans, 1, 2) +
-           line("cpu ms", measures.processor_seconds, 1e3, 3);
+    std::string text = head;
+    text += line("success %", measures.success, 100, 1);
+    text += line("false success %", measures.false_success, 100, 1);
+    text += line("SPL (informed)", measures.spl_info, 1, 3);
+    text += line("SPL (omniscient)", measures.spl_omni, 1, 3);
+    text += ratio;
+    text += line("steps", measures.length, 1, 2);
+    text += line("of successes", measures.successful_length, 1, 2);
+    text += line("plans", measures.plans, 1, 2);
+    text += line("cpu ms", measures.processor_seconds, 1e3, 3);
+    return text;
 }
 
 }  // namespace praxis::belief

@@ -1,0 +1,26 @@
+; Three balls somewhere in 4 by 3 rooms; baskets in corners.
+(define (problem ball-sorting-three-balls)
+  (:domain ball-sorting)
+  (:objects
+    c11 c21 c31 c41 c12 c22 c32 c42 c13 c23 c33 c43 - room
+    ball1 ball2 ball3 - ball red blue green - colour)
+  (:init
+    (at c11) (hand-empty)
+    (next-to c11 c21) (next-to c11 c12) (next-to c21 c31) (next-to c21 c11) (next-to c21 c22)
+    (next-to c31 c41) (next-to c31 c21) (next-to c31 c32) (next-to c41 c31) (next-to c41 c42)
+    (next-to c12 c22) (next-to c12 c13) (next-to c12 c11) (next-to c22 c32) (next-to c22 c12)
+    (next-to c22 c23) (next-to c22 c21) (next-to c32 c42) (next-to c32 c22) (next-to c32 c33)
+    (next-to c32 c31) (next-to c42 c32) (next-to c42 c43) (next-to c42 c41) (next-to c13 c23)
+    (next-to c13 c12) (next-to c23 c33) (next-to c23 c13) (next-to c23 c22) (next-to c33 c43)
+    (next-to c33 c23) (next-to c33 c32) (next-to c43 c33) (next-to c43 c42)
+    (basket red c11) (basket blue c43) (basket green c41)
+    (oneof (in ball1 c11) (in ball1 c21) (in ball1 c31) (in ball1 c41) (in ball1 c12) (in ball1 c22)
+      (in ball1 c32) (in ball1 c42) (in ball1 c13) (in ball1 c23) (in ball1 c33) (in ball1 c43))
+    (oneof (has-colour ball1 red) (has-colour ball1 blue) (has-colour ball1 green))
+    (oneof (in ball2 c11) (in ball2 c21) (in ball2 c31) (in ball2 c41) (in ball2 c12) (in ball2 c22)
+      (in ball2 c32) (in ball2 c42) (in ball2 c13) (in ball2 c23) (in ball2 c33) (in ball2 c43))
+    (oneof (has-colour ball2 red) (has-colour ball2 blue) (has-colour ball2 green))
+    (oneof (in ball3 c11) (in ball3 c21) (in ball3 c31) (in ball3 c41) (in ball3 c12) (in ball3 c22)
+      (in ball3 c32) (in ball3 c42) (in ball3 c13) (in ball3 c23) (in ball3 c33) (in ball3 c43))
+    (oneof (has-colour ball3 red) (has-colour ball3 blue) (has-colour ball3 green)))
+  (:goal (forall (?b - ball) (sorted ?b))))

@@ -1,0 +1,13 @@
+; Three boxes on a table, a scale and a bin.
+(define (problem sort-weight-three)
+  (:domain sort-weight)
+  (:objects box1 box2 box3 - box desk - table balance - scale bin - light-bin)
+  (:init
+    (at desk) (hand-empty) (free balance)
+    (on box1 desk)
+    (on box2 desk)
+    (on box3 desk)
+    (unknown (heavy box1))
+    (unknown (heavy box2))
+    (unknown (heavy box3)))
+  (:goal (forall (?b - box) (or (heavy ?b) (on ?b bin)))))

@@ -1,0 +1,28 @@
+; A cave of three by three cells; the monster is in one of three cells in the middle.
+(define (problem wumpus-one-monster)
+  (:domain wumpus)
+  (:objects
+    c11 c21 c31 c12 c22 c32 c13 c23 c33 - cell)
+  (:init
+    (at c11)
+    (next-to c11 c21) (next-to c11 c12) (next-to c21 c31) (next-to c21 c11) (next-to c21 c22)
+    (next-to c31 c21) (next-to c31 c32) (next-to c12 c22) (next-to c12 c13) (next-to c12 c11)
+    (next-to c22 c32) (next-to c22 c12) (next-to c22 c23) (next-to c22 c21) (next-to c32 c22)
+    (next-to c32 c33) (next-to c32 c31) (next-to c13 c23) (next-to c13 c12) (next-to c23 c33)
+    (next-to c23 c13) (next-to c23 c22) (next-to c33 c23) (next-to c33 c32)
+    (oneof (monster-in c13) (monster-in c22) (monster-in c31))
+    (treasure-in c33)
+    ; a cell smells if and only if the monster is in one next to it
+    (unknown (smelly c21))
+    (or (not (smelly c21)) (monster-in c31) (monster-in c22))
+    (or (smelly c21) (not (monster-in c31))) (or (smelly c21) (not (monster-in c22)))
+    (unknown (smelly c12))
+    (or (not (smelly c12)) (monster-in c22) (monster-in c13))
+    (or (smelly c12) (not (monster-in c22))) (or (smelly c12) (not (monster-in c13)))
+    (unknown (smelly c32))
+    (or (not (smelly c32)) (monster-in c22) (monster-in c31))
+    (or (smelly c32) (not (monster-in c22))) (or (smelly c32) (not (monster-in c31)))
+    (unknown (smelly c23))
+    (or (not (smelly c23)) (monster-in c13) (monster-in c22))
+    (or (smelly c23) (not (monster-in c13))) (or (smelly c23) (not (monster-in c22))))
+  (:goal (have-treasure)))
