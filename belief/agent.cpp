@@ -41,6 +41,8 @@ const char* to_string(RunStatus status) {
             return "interrupted";
         case RunStatus::illegal:
             return "illegal";
+        case RunStatus::found_objects:
+            return "found objects";
         case RunStatus::contradiction:
             return "contradiction";
     }
@@ -121,6 +123,7 @@ class Agent::Run {
                 tell(event);
             }
         }
+        if (environment_.found_objects()) return finish(RunStatus::found_objects, "");
         return true;
     }
 

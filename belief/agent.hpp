@@ -46,6 +46,7 @@ enum class RunStatus : std::uint8_t {
     out_of_memory,
     interrupted,
     illegal,        ///< the world refused an action
+    found_objects,  ///< objects that the task does not have (see `explore`)
     contradiction,  ///< a reading contradicts what is known
 };
 const char* to_string(RunStatus status);

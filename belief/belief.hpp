@@ -42,6 +42,8 @@ class Belief {
     /// The action's precondition is known to hold.
     bool can(std::uint32_t action) const { return knows(physical().preconditions[action]); }
     bool goal_known() const { return knows(physical().goal); }
+    /// An action may have changed the variable since the start.
+    bool touched(std::int32_t variable) const { return touched_[static_cast<std::size_t>(variable)]; }
     /// Tells beliefs apart (up to chance).
     std::uint64_t fingerprint() const;
 

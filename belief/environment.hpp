@@ -27,6 +27,8 @@ class Environment {
     virtual Execution execute(std::uint32_t action, std::stop_token stop) = 0;
     /// What is read after `action` (kStart: before the first one).
     virtual std::vector<Answer> observe(std::uint32_t action, std::stop_token stop) = 0;
+    /// Objects have been found that the task does not have: the run ends, for it to grow.
+    virtual bool found_objects() const { return false; }
 };
 
 }  // namespace praxis::belief

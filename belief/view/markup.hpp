@@ -1,0 +1,16 @@
+// Text inside of pages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace praxis::belief {
+
+/// Between tags and in attributes.
+std::string escape_markup(std::string_view text);
+
+/// As a string of JSON that may stand inside of a `script` element: quoted, and without "<", which could end
+/// the element.
+std::string script_string(std::string_view text);
+
+}  // namespace praxis::belief
