@@ -11,11 +11,11 @@
 namespace praxis::belief {
 
 AgentOptions default_agent_options() {
-    // LAMA's first search, then what blind search can still improve in three milliseconds of counted work.
+    // LAMA's first search, then what blind search can still improve in a millisecond of counted work.
     const std::string estimates = "[ff(cost_type=one),landmark_sum(cost_type=one)]";
     AgentOptions options;
     options.first = configuration("iterated([lazy_greedy(" + estimates + ",preferred=" + estimates +
-                                  ",cost_type=one),astar(blind(),max_work=0.003)],repeat_last=false,"
+                                  ",cost_type=one),astar(blind(),max_work=0.001)],repeat_last=false,"
                                   "improve=false)");
     options.second = alias("agile");
     return options;
@@ -150,8 +150,11 @@ class Agent::Run {
         Event event;
         event.text = reason_;
         event.seconds = seconds;
-        for (OperatorId step : steps_)
-            event.plan_length += planner_.compilation().origin(step).action != CompiledOperator::kNone;
+        for (OperatorId step : steps_) {
+            const std::uint32_t action = planner_.compilation().origin(step).action;
+            if (action != CompiledOperator::kNone) event.plan.push_back(action);
+        }
+        event.plan_length = event.plan.size();
         tell(event);
         return true;
     }
@@ -166,7 +169,8 @@ class Agent::Run {
             case Status::out_of_memory:
                 return finish(RunStatus::out_of_memory, "");
             case Status::out_of_time:
-                return finish(RunStatus::out_of_time, "");
+                if (exhausted()) return false;
+                return finish(RunStatus::not_found, "no plan in the time that one plan may take");
             case Status::interrupted:
                 return finish(RunStatus::interrupted, "");
             default:

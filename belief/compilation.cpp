@@ -53,6 +53,7 @@ class Compiler {
         make_variables();
         make_axioms();
         find_moments();
+        find_needed();
         make_operators();
         make_sensors();
         for (const Fact& fact : physical_.goal) task_->goal.push_back(known(fact));
@@ -538,6 +539,9 @@ class Compiler {
             for (const Fact& fact : implied(outcome))
                 all.push_back({{result_.variables_[index(fact.variable)], fact.value}, 0});
             all.push_back({{basic, outcome.value}, 0});
+            if (std::none_of(all.begin(), all.end(),
+                             [&](const GroundEffect& effect) { return needed_.contains(effect.fact); }))
+                continue;
             origin.reads = true;
             origin.outcome = outcome;
             add_operator(needed, all, cost, origin, words);
@@ -579,6 +583,24 @@ class Compiler {
         if (count == 0) return;
         result_.moment_ = add_variable(count + 1, -1, 0);
         for (std::int32_t value = 0; value <= count; ++value) name("", std::nullopt);
+    }
+
+    /// The knowledge that something asks for; a reading that can only tell something else is of no use in a
+    /// plan.
+    void find_needed() {
+        const auto need = [&](std::span<const Fact> facts) {
+            for (const Fact& fact : facts) needed_.insert(known(fact));
+        };
+        need(physical_.preconditions.items());
+        need(physical_.goal);
+        need(belief_.sensor_conditions.items());
+        for (const Fact& fact : physical_.conditions.items()) {
+            if (tracked(fact.variable)) continue;
+            const Fact both[] = {fact, opposite(fact)};
+            need(physical_.domain_sizes[index(fact.variable)] == 2 ? std::span(both)
+                                                                   : std::span<const Fact>(&fact, 1));
+        }
+        needed_.insert(task_->axiom_bodies.items().begin(), task_->axiom_bodies.items().end());
     }
 
     void make_operators() {
@@ -646,6 +668,7 @@ class Compiler {
     std::vector<bool> changeable_;       ///< by physical variable: some action has an effect on it
     std::vector<std::int32_t> moments_;  ///< by operator: its value of the moment variable, or 0
     std::vector<std::vector<std::uint32_t>> guards_of_;  ///< by physical variable: guarded clauses
+    std::set<Fact> needed_;                              ///< compiled facts that something asks for
     std::vector<bool> readable_;                         ///< by physical variable
     std::vector<std::vector<Reason>> reasons_;           ///< by physical fact: what it is deduced from
     std::vector<Fact> possible_;                         ///< by physical fact, of derived variables

@@ -94,32 +94,33 @@ std::vector<RunRecorder::Row> RunRecorder::rows() const {
     for (const Step& step : steps_)
         for (const auto& [variable, value] : step.changes)
             seen[static_cast<std::size_t>(variable)].insert(value);
-    std::set<std::int32_t> goal;
+    std::map<std::int32_t, std::int32_t> goal;  // by variable: the value
     for (const Fact& fact : physical.goal) {
-        goal.insert(fact.variable);
+        goal[fact.variable] = fact.value;
         seen[static_cast<std::size_t>(fact.variable)].insert(fact.value);
     }
     std::vector<Row> result;
     for (std::size_t v = 0; v < now_.size(); ++v) {
         const auto variable = static_cast<std::int32_t>(v);
-        const bool wanted = goal.contains(variable);
-        if (!wanted && !task_->uncertain[v] && seen[v].size() == 1) continue;
-        Row row;
-        row.goal = wanted;
-        row.derived = physical.derived(variable);
-        if (physical.domain_sizes[v] == 2 && (task_->uncertain[v] || row.derived)) {
-            row.name = report_atom(*task_, variable);
-            row.fact = {variable, report_holds(*task_, {variable, 1}) ? 1 : 0};
-            result.push_back(row);
+        const auto wanted = goal.find(variable);
+        const bool in_goal = wanted != goal.end();
+        if (!in_goal && !task_->uncertain[v] && seen[v].size() == 1) continue;
+        const bool derived = physical.derived(variable);
+        const auto is_atom = [&](std::int32_t value) {
+            return physical.fact_forms[physical.fact_number({variable, value})] ==
+                   FiniteDomainTask::FactForm::atom;
+        };
+        if (physical.domain_sizes[v] == 2 && !(is_atom(0) && is_atom(1))) {
+            const std::int32_t value = report_holds(*task_, {variable, 1}) ? 1 : 0;
+            result.push_back({report_atom(*task_, variable), {variable, value}, in_goal, derived});
             continue;
         }
-        for (std::int32_t value = 0; value < physical.domain_sizes[v]; ++value) {
-            row.fact = {variable, value};
-            if (!seen[v].contains(value) ||
-                physical.fact_forms[physical.fact_number(row.fact)] != FiniteDomainTask::FactForm::atom)
-                continue;
-            row.name = report_text(*task_, {variable, value});
-            result.push_back(row);
+        for (const std::int32_t value : seen[v]) {
+            if (value == BeliefTask::kUnknown || !is_atom(value)) continue;
+            result.push_back({report_text(*task_, {variable, value}),
+                              {variable, value},
+                              in_goal && wanted->second == value,
+                              derived});
         }
     }
     std::stable_sort(result.begin(), result.end(),
