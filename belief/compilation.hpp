@@ -54,12 +54,17 @@ struct CompiledOperator {
     Fact outcome;        ///< this fact of the physical task is found to hold
 };
 
+struct CompilationOptions {
+    std::size_t most_cases = 20'000;  ///< components with more cases are not tracked
+    std::size_t slots = 16;           ///< cases of a component that are planned for at once
+    /// Also readings that tell nothing that any condition asks for. The variables are the same without.
+    bool all_readings = false;
+};
+
 class Compilation {
   public:
-    /// Components with more than `most_cases` cases are not tracked; of those that are, at most `slots` cases
-    /// are planned for at once.
-    explicit Compilation(std::shared_ptr<const BeliefTask> belief, std::size_t most_cases = 20'000,
-                         std::size_t slots = 16);
+    explicit Compilation(std::shared_ptr<const BeliefTask> belief, const CompilationOptions& options = {});
+    const CompilationOptions& options() const { return options_; }
 
     const BeliefTask& belief() const { return *belief_; }
     const std::shared_ptr<const BeliefTask>& shared_belief() const { return belief_; }
@@ -98,6 +103,7 @@ class Compilation {
     std::size_t fact_number(Fact fact) const { return belief_->physical->fact_number(fact); }
 
     std::shared_ptr<const BeliefTask> belief_;
+    CompilationOptions options_;
     std::shared_ptr<const FiniteDomainTask> task_;
     std::vector<Fact> known_;              ///< by physical fact
     std::vector<std::int32_t> variables_;  ///< by physical variable

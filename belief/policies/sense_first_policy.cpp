@@ -12,13 +12,21 @@ constexpr std::uint32_t kMostAttempts = 4;
 /// Wall seconds of the search for a way to one reading.
 constexpr double kTargetSeconds = 0.25;
 
+/// A planner for the same beliefs that also knows the readings that no plan needs.
+std::shared_ptr<const KnowledgePlanner> with_all_readings(const Compilation& compilation) {
+    CompilationOptions options = compilation.options();
+    options.all_readings = true;
+    return std::make_shared<const KnowledgePlanner>(
+        std::make_shared<const Compilation>(compilation.shared_belief(), options));
+}
+
 }  // namespace
 
 SenseFirstPolicy::SenseFirstPolicy(const PolicyContext& context)
-    : planner_(context.planner),
+    : planner_(with_all_readings(context.planner->compilation())),
       options_(context.options),
-      prepared_(context.planner->compilation().task()),
-      attempts_(context.planner->compilation().belief().uncertain.size(), 0) {
+      prepared_(planner_->compilation().task()),
+      attempts_(planner_->compilation().belief().uncertain.size(), 0) {
     const Compilation& compilation = planner_->compilation();
     const FiniteDomainTask& task = *compilation.task();
     for (std::size_t o = 0; o < task.operator_count(); ++o) {

@@ -78,7 +78,10 @@ void RunRecorder::tell(const Event& event, const Belief& belief) {
             steps_.back().read.push_back(readable(event.text));
             break;
         case Event::Kind::planned:
-            steps_.back().plans.push_back({event.text, event.plan_length, {}});
+            steps_.back().plans.push_back({event.text, {}});
+            for (const std::uint32_t action : event.plan)
+                steps_.back().plans.back().actions.push_back(
+                    task_->physical->operator_name(OperatorId(action)));
             break;
         case Event::Kind::finished:
             steps_.back().end = event.text;
@@ -156,7 +159,6 @@ std::string RunRecorder::page(const std::string& title, const std::string& summa
                 ",\"read\":" + list(step.read) + ",\"end\":" + script_string(step.end) + ",\"plans\":[";
         for (std::size_t p = 0; p < step.plans.size(); ++p)
             data += std::string(p == 0 ? "" : ",") + "{\"reason\":" + script_string(step.plans[p].reason) +
-                    ",\"length\":" + std::to_string(step.plans[p].length) +
                     ",\"actions\":" + list(step.plans[p].actions) + "}";
         data += "],\"changes\":[";
         const std::vector<Change> changes = i + 1 == steps_.size() ? differences() : step.changes;

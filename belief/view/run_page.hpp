@@ -31,7 +31,6 @@ class RunRecorder {
     using Change = std::pair<std::int32_t, std::int32_t>;
     struct Plan {
         std::string reason;
-        std::size_t length = 0;
         std::vector<std::string> actions;
     };
     /// An action with what was read after it; the first step has none.

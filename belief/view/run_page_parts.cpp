@@ -79,7 +79,7 @@ function planAt(step) {
 function showPlan(step) {
   const found = planAt(step);
   if (!found) { get('reason').textContent = ''; fill('plan', []); return; }
-  get('reason').textContent = found.plan.length + ' actions, made after step ' + found.since +
+  get('reason').textContent = found.plan.actions.length + ' actions, made after step ' + found.since +
       (found.plan.reason ? ': ' + found.plan.reason : '');
   const done = found.plan.actions.map(() => false);
   for (let i = found.since + 1; i <= step; ++i) {

@@ -62,7 +62,7 @@ void check_runs(const Constructs& constructs, std::size_t most_cases, std::size_
     if (!task) return;
     const auto worlds = enumerate_worlds(*task, 1000);
     RC_ASSERT(worlds.has_value());
-    const auto compilation = std::make_shared<const Compilation>(task, most_cases, slots);
+    const auto compilation = std::make_shared<const Compilation>(task, CompilationOptions{most_cases, slots});
     const Agent agent(std::make_shared<const KnowledgePlanner>(compilation), options());
     const NaiveBelief naive(*task);
     const bool possible = reachable(*task, naive);

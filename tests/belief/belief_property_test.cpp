@@ -48,7 +48,7 @@ class Walk {
         : task_(start.task),
           naive_(*task_),
           states_(start.states),
-          belief_(std::make_shared<const Compilation>(task_, most_cases)),
+          belief_(std::make_shared<const Compilation>(task_, CompilationOptions{most_cases})),
           random_(seed),
           world_(task_, first_world(), 0, seed) {}
 

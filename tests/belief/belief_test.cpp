@@ -12,7 +12,8 @@ namespace {
 class Knowing {
   public:
     explicit Knowing(const Texts& texts, std::size_t most_cases = 20'000)
-        : task_(ground(texts)), belief_(std::make_shared<const Compilation>(task_, most_cases)) {}
+        : task_(ground(texts)),
+          belief_(std::make_shared<const Compilation>(task_, CompilationOptions{most_cases})) {}
 
     Truth operator()(const std::string& atom) const { return belief_.truth(fact_of(*task_, atom)); }
     void act(const std::string& name) {
