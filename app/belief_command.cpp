@@ -1,184 +1,188 @@
-#include <cstdio>
+#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
+#include "app/belief_offline.hpp"
+#include "app/belief_table.hpp"
+#include "app/belief_teller.hpp"
+#include "app/belief_worlds.hpp"
+#include "app/belief_yardstick.hpp"
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/output.hpp"
 #include "app/run.hpp"
-#include "belief/agent.hpp"
 #include "belief/check_run.hpp"
+#include "belief/policies/run_policy.hpp"
 #include "belief/simulated_world.hpp"
+#include "belief/view/run_page.hpp"
 
 namespace praxis::app {
 namespace {
 
 using namespace praxis::belief;
 
-/// The worlds to act in.
-std::vector<WorldState> choose_worlds(const BeliefTask& task, const BeliefOptions& options) {
-    std::vector<WorldState> worlds;
-    if (options.samples || task.worlds.size() == 0) {
-        Random random(options.seed);
-        const std::size_t count = options.samples.value_or(options.runs.value_or(1));
-        for (std::size_t i = 0; i < count; ++i) {
-            std::optional<WorldState> world = sample_world(task, random);
-            if (!world) throw std::invalid_argument("no first state satisfies the initial description");
-            worlds.push_back(std::move(*world));
-        }
-        return worlds;
+AgentOptions agent_options(const BeliefOptions& options, std::size_t axioms) {
+    using Mode = BeliefOptions::Mode;
+    AgentOptions result = default_agent_options(axioms);
+    result.most_steps = options.max_steps;
+    if (!options.search.empty()) result.first = configuration(options.search);
+    result.first.seed = result.second.seed = options.seed;
+    if (options.plan_time) {
+        result.second_seconds = *options.plan_time;
+        result.plan_seconds = std::min(result.plan_seconds, result.second_seconds);
     }
-    const std::size_t all = task.worlds.size();
-    const std::size_t count = std::min(all, options.runs.value_or(all));
-    for (std::size_t i = 0; i < count; ++i) worlds.push_back(hidden_world(task, i * all / count));
-    return worlds;
+    const bool weigh = options.mode == Mode::bayes || (options.mode == Mode::automatic && options.noise > 0);
+    if (weigh) result.accept = options.accept;
+    // Policies that choose by themselves do not weigh readings; a contradiction must not end their runs.
+    result.ignore_contradictions = weigh || options.mode == Mode::sticky;
+    return result;
 }
 
-/// Writes the events of the runs: for people, or as lines of JSON.
-class Teller {
-  public:
-    Teller(const BeliefTask& task, const BeliefOptions& options) : task_(task), options_(options) {}
+/// In the task's units; an action that the world refused counts one.
+double length(const BeliefTask& task, const PolicyResult& result) {
+    const FiniteDomainTask& physical = *task.physical;
+    if (physical.unit_cost) return static_cast<double>(result.steps);
+    double cost = static_cast<double>(result.steps - result.run.actions.size());
+    for (const std::uint32_t action : result.run.actions)
+        cost += static_cast<double>(physical.costs[action]) / static_cast<double>(physical.cost_scale);
+    return cost;
+}
 
-    void begin(std::size_t world) { world_ = world; }
-    void tell(const Event& event) {
-        const std::string action = event.action == Environment::kStart
-                                       ? ""
-                                       : task_.physical->operator_name(OperatorId(event.action));
-        if (!options_.trace.empty()) tell_json(event, action);
-        switch (event.kind) {
-            case Event::Kind::planned:
-                text_ += "; plan of " + std::to_string(event.plan_length) + " actions (" + event.text + ")\n";
-                break;
-            case Event::Kind::executed:
-                text_ += action + "\n";
-                break;
-            case Event::Kind::failed:
-                text_ += "; failed: " + action + " " + event.text + "\n";
-                break;
-            case Event::Kind::read:
-                text_ += ";   read " + event.text + "\n";
-                break;
-            case Event::Kind::finished:
-                text_ += "; " + event.text + "\n";
-                break;
-        }
+/// Acts in one world after the other.
+class Runner {
+  public:
+    Runner(Run& run, const BeliefOptions& options, std::shared_ptr<const KnowledgePlanner> planner)
+        : run_(run),
+          options_(options),
+          task_(planner->compilation().shared_belief()),
+          worlds_(*task_, options),
+          teller_(*task_, worlds_.count() == 1, !options.trace.empty()) {
+        context_.options = agent_options(options, planner->compilation().task()->axioms.size());
+        context_.planner = std::move(planner);
+        if (!options.view.empty() && worlds_.count() != 1)
+            throw std::invalid_argument("--view shows one run, and there are " +
+                                        std::to_string(worlds_.count()) + "; add --" +
+                                        (options.samples ? "seeds" : "runs") + " 1");
     }
-    const std::string& text() const { return text_; }
-    void write_trace() const {
-        if (!options_.trace.empty()) write_file(options_.trace, trace_);
+
+    Ending operator()() {
+        if (options_.optimum) measure_world();
+        run_.set_phase("acting");
+        for (std::size_t i = 0; i < worlds_.count(); ++i) {
+            if (run_.budget().exhausted() != Stop::none && !runs_.empty()) break;
+            act(i, worlds_.next(i));
+        }
+        const bool single = worlds_.count() == 1;
+        std::string text = single ? teller_.text() : belief_table(runs_, options_.optimum);
+        if (single && options_.optimum) text += belief_comparison(runs_[0]);
+        if (options_.trace != "-" && options_.view != "-") run_.set_result(std::move(text));
+        if (!options_.trace.empty()) write_file(options_.trace, teller_.trace());
+        if (!options_.view.empty()) write_file(options_.view, page_);
+        return ending();
     }
 
   private:
-    void tell_json(const Event& event, const std::string& action) {
-        static constexpr const char* kKinds[] = {"planned", "executed", "failed", "read", "finished"};
-        nlohmann::ordered_json line{{"world", world_}, {"event", kKinds[static_cast<int>(event.kind)]}};
-        if (!action.empty()) line["action"] = action;
-        if (!event.text.empty()) line["text"] = event.text;
-        if (event.kind == Event::Kind::planned) {
-            line["actions"] = event.plan_length;
-            line["processor_seconds"] = event.seconds;
-        }
-        trace_ += line.dump() + "\n";
+    void measure_world() {
+        run_.set_phase("computing the best policy");
+        yardstick_ = std::make_unique<BeliefYardstick>(task_, run_.budget());
+        if (!yardstick_->message().empty())
+            run_.say("the best policy is not known: " + yardstick_->message());
     }
 
-    const BeliefTask& task_;
+    void act(std::size_t number, const WorldState& first) {
+        const double start = processor_seconds();
+        context_.seed = options_.seed + number;
+        Belief belief(context_.planner->shared_compilation());
+        SimulatedWorld world(task_, first, options_.noise, options_.seed + number);
+        const std::unique_ptr<Policy> policy = make_policy(options_.policy, context_);
+        std::unique_ptr<RunRecorder> recorder;
+        if (!options_.view.empty()) recorder = std::make_unique<RunRecorder>(belief);
+        teller_.begin(number);
+        const auto watch = [&](const Event& event, const Belief& now) {
+            teller_.tell(event, now);
+            if (recorder) recorder->tell(event, now);
+        };
+        const PolicyResult result = run_policy(*policy, context_, belief, world, run_.budget(), watch);
+
+        BeliefRun run;
+        run.processor_seconds = processor_seconds() - start;
+        run.world = number;
+        run.status = to_string(result.run.status);
+        run.search_seconds =
+            std::accumulate(result.run.plan_seconds.begin(), result.run.plan_seconds.end(), 0.0);
+        for (double seconds : result.run.plan_seconds)
+            run.longest_search = std::max(run.longest_search, seconds);
+        run.plans = result.run.plans;
+        run.message = result.run.message;
+        for (std::uint32_t action : result.run.actions)
+            run.actions.push_back(task_->physical->operator_name(OperatorId(action)));
+        run.length = length(*task_, result);
+        const Verdict verdict = check_run(*task_, first, result.run.actions);
+        run.success = result.run.status == RunStatus::reached && verdict.valid;
+        run.false_success = result.run.status == RunStatus::reached && !verdict.valid;
+        if (run.false_success) run.message = verdict.reason;
+        if (yardstick_) {
+            const BeliefYardstick::Costs costs = yardstick_->costs(first, run_.budget());
+            run.policy_cost = costs.policy;
+            run.omniscient_cost = costs.omniscient;
+        }
+        if (recorder) page_ = recorder->page(options_.problem, summary(run));
+        run_.update([&](Report& report) { report.runs.push_back(run); });
+        runs_.push_back(std::move(run));
+    }
+
+    static std::string summary(const BeliefRun& run) {
+        std::string text = std::to_string(run.actions.size()) + " actions, " + std::to_string(run.plans) +
+                           " plans, " + seconds_text(run.processor_seconds) + " of processor time: ";
+        if (run.false_success) return text + "the goal is believed to hold, but does not: " + run.message;
+        text += run.success ? "the goal is reached" : run.status;
+        return run.message.empty() ? text : text + " (" + run.message + ")";
+    }
+
+    Ending ending() const {
+        const bool all =
+            std::all_of(runs_.begin(), runs_.end(), [](const BeliefRun& r) { return r.success; });
+        const bool complete = runs_.size() == worlds_.count();
+        if (const Stop stop = run_.budget().exhausted(); stop != Stop::none && !(all && complete))
+            return run_.stopped(stop);
+        if (worlds_.count() == 1 && runs_[0].false_success)
+            return {"failed", kFailed, "the goal is believed to hold, but does not: " + runs_[0].message};
+        return all ? Ending{"solved", kSolved, ""} : Ending{"failed", kFailed, ""};
+    }
+
+    Run& run_;
     const BeliefOptions& options_;
-    std::size_t world_ = 0;
-    std::string text_;
-    std::string trace_;
+    std::shared_ptr<const BeliefTask> task_;
+    BeliefWorlds worlds_;
+    BeliefTeller teller_;
+    PolicyContext context_;
+    std::unique_ptr<BeliefYardstick> yardstick_;
+    std::vector<BeliefRun> runs_;
+    std::string page_;
 };
 
-BeliefRun run_world(const std::shared_ptr<const KnowledgePlanner>& planner, const BeliefOptions& options,
-                    std::size_t number, const WorldState& first, const Budget& budget, Teller& teller) {
-    const std::shared_ptr<const Compilation> compilation = planner->shared_compilation();
-    const std::shared_ptr<const BeliefTask> task = compilation->shared_belief();
-    AgentOptions agent_options = default_agent_options();
-    agent_options.most_steps = options.max_steps;
-    if (!options.search.empty()) agent_options.first = configuration(options.search);
-    agent_options.first.seed = agent_options.second.seed = options.seed;
-    const Agent agent(planner, agent_options);
-    const double start = processor_seconds();
-    Belief belief(compilation);
-    SimulatedWorld world(task, first, options.noise, options.seed + number);
-    teller.begin(number);
-    const RunResult result =
-        agent.run(belief, world, budget, [&](const Event& event, const Belief&) { teller.tell(event); });
-    BeliefRun run;
-    run.world = number;
-    run.status = to_string(result.status);
-    run.processor_seconds = processor_seconds() - start;
-    run.search_seconds = std::accumulate(result.plan_seconds.begin(), result.plan_seconds.end(), 0.0);
-    for (double seconds : result.plan_seconds) run.longest_search = std::max(run.longest_search, seconds);
-    run.plans = result.plans;
-    run.message = result.message;
-    for (std::uint32_t action : result.actions)
-        run.actions.push_back(task->physical->operator_name(OperatorId(action)));
-    const Verdict verdict = check_run(*task, first, result.actions);
-    run.success = result.status == RunStatus::reached && verdict.valid;
-    run.false_success = result.status == RunStatus::reached && !verdict.valid;
-    if (run.false_success) run.message = verdict.reason;
-    return run;
-}
-
-std::string table(const std::vector<BeliefRun>& runs) {
-    std::string text;
-    char line[256];
-    std::size_t successes = 0, false_successes = 0, actions = 0, plans = 0;
-    double seconds = 0;
-    for (const BeliefRun& run : runs) {
-        successes += run.success;
-        false_successes += run.false_success;
-        actions += run.actions.size();
-        plans += run.plans;
-        seconds += run.processor_seconds;
-    }
-    const auto count = static_cast<double>(runs.size());
-    std::snprintf(line, sizeof line,
-                  "%zu runs: %zu reached the goal (%.1f %%), %zu believed so wrongly; means: %.1f actions, "
-                  "%.1f plans, %.4f s of processor time\n",
-                  runs.size(), successes, 100.0 * static_cast<double>(successes) / count, false_successes,
-                  static_cast<double>(actions) / count, static_cast<double>(plans) / count, seconds / count);
-    text += line;
-    for (const BeliefRun& run : runs) {
-        if (run.success) continue;
-        text += "world " + std::to_string(run.world) + ": " + run.status;
-        if (!run.message.empty()) text += " (" + run.message + ")";
-        text += "\n";
-    }
-    return text;
-}
-
-Ending act(Run& run, const BeliefOptions& options) {
+Ending run_task(Run& run, const BeliefOptions& options) {
     const std::shared_ptr<const ContingentTask> source = run.load_contingent(options.worlds);
+    if (!source->hidden_objects.empty())
+        return {"unsupported", kUnsupported,
+                "plan: error: ':hidden-objects' needs a program that explores (praxis::belief::explore); the "
+                "command acts with all objects known"};
     run.set_phase("grounding");
     const GroundBeliefResult ground = ground_belief(source, run.budget());
     if (!ground.task) return run.stopped(ground.stop);
     const auto compilation = std::make_shared<const Compilation>(ground.task);
-    const auto planner = std::make_shared<const KnowledgePlanner>(compilation, run.budget());
-    const std::vector<WorldState> worlds = choose_worlds(*ground.task, options);
-    run.set_phase("acting");
-    Teller teller(*ground.task, options);
-    std::vector<BeliefRun> runs;
-    for (std::size_t i = 0; i < worlds.size(); ++i) {
-        if (const Stop stop = run.budget().exhausted(); stop != Stop::none && !runs.empty()) break;
-        runs.push_back(run_world(planner, options, i, worlds[i], run.budget(), teller));
-        run.update([&](Report& report) { report.runs = runs; });
-    }
-    teller.write_trace();
-    run.set_result(worlds.size() == 1 ? teller.text() : table(runs));
-    const bool all = std::all_of(runs.begin(), runs.end(), [](const BeliefRun& r) { return r.success; });
-    if (const Stop stop = run.budget().exhausted(); stop != Stop::none && !all) return run.stopped(stop);
-    if (worlds.size() == 1 && runs[0].false_success)
-        return {"failed", kFailed, "the goal is believed to hold, but does not: " + runs[0].message};
-    return all ? Ending{"solved", kSolved, ""} : Ending{"failed", kFailed, ""};
+    auto planner = std::make_shared<const KnowledgePlanner>(compilation, run.budget());
+    if (options.offline) return make_offline_plan(run, options, *planner);
+    return Runner(run, options, std::move(planner))();
 }
 
 }  // namespace
 
 int run_belief(const BeliefOptions& options) {
     Run run(options, "belief", options.domain, options.problem);
-    return run.execute([&] { return act(run, options); });
+    return run.execute([&] { return run_task(run, options); });
 }
 
 }  // namespace praxis::app

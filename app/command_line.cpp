@@ -1,64 +1,12 @@
 #include "app/command_line.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
-#include "app/exit_code.hpp"
+#include "app/command_line_parts.hpp"
 
 namespace praxis::app {
 namespace {
-
-/// Seconds or MiB; what is above cannot be told from no limit.
-constexpr double kLargestLimit = 1e9;
-
-/// Help pages with the usage lines of ours in place of a generated one.
-class UsageFormatter : public CLI::Formatter {
-  public:
-    explicit UsageFormatter(std::string usage) : usage_(std::move(usage)) { column_width(28); }
-    std::string make_usage(const CLI::App*, std::string) const override { return usage_ + "\n"; }
-    std::string make_option_opts(const CLI::Option* option) const override {
-        if (option->get_type_size() == 0) return {};
-        return " " + option->get_type_name();
-    }
-
-  private:
-    std::string usage_;
-};
-
-void set_usage(CLI::App& app, const std::string& usage, const std::string& footer) {
-    app.formatter(std::make_shared<UsageFormatter>(usage));
-    app.footer(footer);
-    app.set_help_flag("-h,--help", "Show this page");
-}
-
-/// A finite number above zero (CLI11's own check lets "nan" pass).
-std::string positive_number(const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() && *end == '\0' && number > 0 && number <= kLargestLimit) return {};
-    return "'" + text + "' is not a positive number";
-}
-
-std::string non_negative_integer(const std::string& text) {
-    if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) return {};
-    return "'" + text + "' is not a non-negative integer";
-}
-
-void add_common_options(CLI::App& app, CommonOptions& options) {
-    auto* quiet = app.add_flag("-q,--quiet", options.quiet, "Nothing on standard error but errors");
-    app.add_flag("-v,--verbose", options.verbose, "Phases and statistics on standard error")->excludes(quiet);
-    app.add_option("--json", options.json, "Write a report as JSON; '-': to standard output")
-        ->type_name("FILE");
-    app.add_option("-t,--time-limit", options.time_limit, "Wall seconds for everything")
-        ->type_name("S")
-        ->check(positive_number);
-    app.add_option("-m,--memory-limit", options.memory_limit_mb, "Resident memory in MiB")
-        ->type_name("MB")
-        ->check(positive_number);
-}
 
 constexpr const char* kPlanUsage =
     "\nUsage:\n"
@@ -96,42 +44,8 @@ constexpr const char* kGroundFooter =
     "  plan ground domain.pddl problem.pddl\n"
     "  plan ground domain.pddl problem.pddl --sas output.sas";
 
-constexpr const char* kBeliefUsage =
-    "\nUsage:\n  plan belief DOMAIN PROBLEM [options]\n  plan belief PROBLEM [options]";
-constexpr const char* kBeliefFooter =
-    "Acts in a simulated world: plans with what is known, executes, reads, and plans again where things are\n"
-    "not as hoped, once for each hidden world. One run is told step by step, several as a table.\n"
-    "\nExit codes: 0 every run reached the goal; 12 not every run; 31 wrong input; 34 unsupported input\n"
-    "\nExamples:\n"
-    "  plan belief domain.pddl problem.pddl\n"
-    "  plan belief domain.pddl problem.pddl --world hidden.pddl --runs 20\n"
-    "  plan belief domain.pddl problem.pddl --seeds 200 --noise 0.1 --json report.json";
-
 constexpr const char* kListUsage = "\nUsage:\n  plan list [evaluators|engines|aliases]";
 constexpr const char* kListFooter = "Examples:\n  plan list\n  plan list evaluators";
-
-Done usage_error(const char* message, const char* hint) {
-    std::fprintf(stderr, "plan: error: %s\nTry '%s --help'.\n", message, hint);
-    return Done{kInputError};
-}
-
-/// Parses and answers for help, version and wrong usage; nothing if the options are ready to use.
-std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, const char* hint) {
-    try {
-        app.parse(std::move(arguments));
-        return std::nullopt;
-    } catch (const CLI::CallForHelp&) {
-        std::fputs(app.help().c_str(), stdout);
-        return Done{std::fflush(stdout) == 0 ? kSolved : kOutputError};
-    } catch (const CLI::CallForVersion& version) {
-        std::printf("%s\n", version.what());
-        return Done{std::fflush(stdout) == 0 ? kSolved : kOutputError};
-    } catch (const CLI::ParseError& error) {
-        // Errors about positional arguments begin with their empty option name.
-        const std::string_view message = error.what();
-        return usage_error(message.substr(message.starts_with(": ") ? 2 : 0).data(), hint);
-    }
-}
 
 Request parse_plan_command(std::vector<std::string> arguments) {
     PlanOptions options;
@@ -207,43 +121,6 @@ Request parse_ground_command(std::vector<std::string> arguments) {
     options.problem = files.back();
     if (options.domain == "-" && options.problem == "-")
         return usage_error("only one file can be read from standard input", "plan ground");
-    return options;
-}
-
-Request parse_belief_command(std::vector<std::string> arguments) {
-    BeliefOptions options;
-    CLI::App app("plan belief: plans and acts when not everything is known");
-    set_usage(app, kBeliefUsage, kBeliefFooter);
-    std::vector<std::string> files;
-    app.add_option("FILES", files)->group("");
-    app.add_option("-w,--world", options.worlds, "A file with hidden worlds; may be given several times")
-        ->type_name("FILE");
-    auto* runs = app.add_option("--runs", options.runs, "Only N of the hidden worlds, evenly spread")
-                     ->type_name("N")
-                     ->check(non_negative_integer);
-    app.add_option("--seeds", options.samples, "N worlds drawn from the initial uncertainty")
-        ->type_name("N")
-        ->check(non_negative_integer)
-        ->excludes(runs);
-    app.add_option("--noise", options.noise, "Probability that a reading is wrong (default: 0)")
-        ->type_name("P")
-        ->check(CLI::Range(0.0, 0.499).description(""));
-    app.add_option("--max-steps", options.max_steps, "Most actions of one run (default: 1000)")
-        ->type_name("N")
-        ->check(non_negative_integer);
-    app.add_option("-s,--search", options.search, "The search for each plan; see 'plan list'")
-        ->type_name("EXPR");
-    app.add_option("--seed", options.seed, "Seed of whatever is random (default: 0)")
-        ->type_name("N")
-        ->check(non_negative_integer);
-    app.add_option("--trace", options.trace, "Write every event as a line of JSON; '-': to standard output")
-        ->type_name("FILE");
-    add_common_options(app, options);
-    if (auto done = parse(app, std::move(arguments), "plan belief")) return *done;
-    if (files.empty() || files.size() > 2)
-        return usage_error("two files are needed: plan belief DOMAIN PROBLEM", "plan belief");
-    if (files.size() == 2) options.domain = files[0];
-    options.problem = files.back();
     return options;
 }
 

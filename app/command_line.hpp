@@ -42,6 +42,10 @@ struct GroundCommandOptions : CommonOptions {
 };
 
 struct BeliefOptions : CommonOptions {
+    /// How readings are taken: what suits the noise; all at once, a contradiction ending the run; all at
+    /// once, a contradicting one being passed over; weighed until they are probable enough.
+    enum class Mode : std::uint8_t { automatic, exact, sticky, bayes };
+
     std::string domain;
     std::string problem;
     std::vector<std::string> worlds;     ///< files with hidden worlds
@@ -49,9 +53,19 @@ struct BeliefOptions : CommonOptions {
     std::optional<std::size_t> samples;  ///< worlds drawn from the initial uncertainty instead
     double noise = 0;                    ///< probability of a wrong reading
     std::size_t max_steps = 1000;        ///< actions of one run
-    std::string search;                  ///< an expression; empty: what suits most tasks
+    std::string policy = "plan";         ///< who chooses the actions
+    Mode mode = Mode::automatic;
+    double accept = 0.995;            ///< bayes: the probability from which on a fact is believed
+    std::optional<double> plan_time;  ///< wall seconds for one plan
+    std::string search;               ///< an expression; empty: what suits most tasks
     std::uint64_t seed = 0;
-    std::string trace;  ///< file for JSON lines; "-": standard output; empty: none
+    bool optimum = false;  ///< compare with the best contingent policy
+    std::string trace;     ///< file for JSON lines; "-": standard output; empty: none
+    std::string view;      ///< file for a page of the run; empty: none
+
+    bool offline = false;  ///< make a conditional plan instead of acting
+    std::string dot;       ///< files for the conditional plan; "-": standard output; empty: none
+    std::string html;
 };
 
 struct ListOptions {

@@ -56,8 +56,30 @@ Json to_value(const BeliefRun& run) {
                {"processor_seconds", run.processor_seconds},
                {"search_seconds", run.search_seconds},
                {"longest_search_seconds", run.longest_search},
+               {"length", run.length},
                {"steps", run.actions}};
+    if (run.policy_cost) value["policy_cost"] = *run.policy_cost;
+    if (run.omniscient_cost) value["omniscient_cost"] = *run.omniscient_cost;
     if (!run.message.empty()) value["message"] = run.message;
+    return value;
+}
+
+Json to_value(const OfflineReport& report) {
+    Json value{{"status", report.status},
+               {"searches", report.searches},
+               {"processor_seconds", report.processor_seconds}};
+    if (!report.message.empty()) value["message"] = report.message;
+    if (report.plan.empty()) return value;
+    value["actions"] = report.actions;
+    value["edges"] = report.edges;
+    value["depth"] = report.depth;
+    value["mean_cost"] = report.mean_cost;
+    value["worst_cost"] = report.worst_cost;
+    value["mean_actions"] = report.mean_actions;
+    value["checked_worlds"] = report.checked_worlds;
+    value["all_worlds"] = report.all_worlds;
+    value["optimal"] = report.optimal;
+    value["plan"] = Json::parse(report.plan);
     return value;
 }
 
@@ -88,6 +110,7 @@ std::string to_json(const Report& report) {
         for (const PhaseStatistics& phase : report.phases) value["phases"].push_back(to_value(phase));
     }
     for (const BeliefRun& run : report.runs) value["runs"].push_back(to_value(run));
+    if (report.offline) value["offline"] = to_value(*report.offline);
     value["seconds"] = elapsed_seconds();
     value["processor_seconds"] = processor_seconds();
     value["peak_memory"] = peak_memory();

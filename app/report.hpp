@@ -22,6 +22,28 @@ struct BeliefRun {
     double processor_seconds = 0;
     double search_seconds = 0;  ///< of these in searches
     double longest_search = 0;
+    /// What the run cost, actions that the world refused included; like the next two in the task's units.
+    double length = 0;
+    std::optional<double> policy_cost;      ///< of the best contingent policy in this world
+    std::optional<double> omniscient_cost;  ///< of the best plan of one who knows this world
+};
+
+/// A conditional plan, or why there is none.
+struct OfflineReport {
+    std::string status;  ///< "found", "unsolvable", "not found", ...
+    std::string message;
+    std::string plan;  ///< as JSON; empty: none was found
+    std::size_t actions = 0;
+    std::size_t edges = 0;
+    std::size_t depth = 0;
+    double mean_cost = 0;
+    double worst_cost = 0;
+    double mean_actions = 0;
+    std::size_t checked_worlds = 0;
+    bool all_worlds = false;
+    bool optimal = false;
+    std::size_t searches = 0;
+    double processor_seconds = 0;
 };
 
 /// One run; the JSON report has these names.
@@ -42,6 +64,7 @@ struct Report {
     std::vector<PhaseStatistics> phases;
     std::optional<Verdict> verdict;
     std::vector<BeliefRun> runs;
+    std::optional<OfflineReport> offline;
 };
 
 /// The report as JSON, ending with a newline.

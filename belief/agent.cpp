@@ -10,13 +10,14 @@
 
 namespace praxis::belief {
 
-AgentOptions default_agent_options() {
-    // LAMA's first search, then what blind search can still improve in a millisecond of counted work.
+AgentOptions default_agent_options(std::size_t axioms) {
+    // LAMA's first search, then what blind search can still improve in about a millisecond.
     const std::string estimates = "[ff(cost_type=one),landmark_sum(cost_type=one)]";
+    const double work = 0.001 / (1 + static_cast<double>(axioms) / 300);
     AgentOptions options;
     options.first = configuration("iterated([lazy_greedy(" + estimates + ",preferred=" + estimates +
-                                  ",cost_type=one),astar(blind(),max_work=0.001)],repeat_last=false,"
-                                  "improve=false)");
+                                  ",cost_type=one),astar(blind(),max_work=" + std::to_string(work) +
+                                  ")],repeat_last=false,improve=false)");
     options.second = alias("agile");
     return options;
 }

@@ -33,8 +33,8 @@ struct AgentOptions {
     std::size_t most_returns = 8;  ///< to one belief, when planning, before the run counts as stuck
 };
 
-/// Searches that suit most tasks.
-AgentOptions default_agent_options();
+/// Searches that suit most tasks. `axioms`: of the compiled task, whose states cost more the more there are.
+AgentOptions default_agent_options(std::size_t axioms = 0);
 
 enum class RunStatus : std::uint8_t {
     reached,     ///< the goal is known to hold

@@ -340,9 +340,24 @@ class Grounder {
     std::shared_ptr<const FiniteDomainTask> physical_;
 };
 
+/// What is read, but not planned for yet.
+void refuse_unsupported(const ContingentTask& task) {
+    const auto refuse = [&](Location where, const char* message) {
+        grounding::refuse(*task.task, where, message);
+    };
+    for (const SchemaSensing& schema : task.sensing)
+        if (!schema.model.empty()) refuse(schema.model.front().where, "sensing models are not planned for");
+    if (!task.default_model.empty())
+        refuse(task.default_model.front().where, "sensing models are not planned for");
+    if (!task.default_observations.empty())
+        refuse(task.default_observations.front().where, "sensing models are not planned for");
+    if (!task.decays.empty()) refuse(task.decays.front().where, "knowledge that decays is not planned for");
+}
+
 }  // namespace
 
 GroundBeliefResult ground_belief(std::shared_ptr<const ContingentTask> source, const Budget& budget) {
+    refuse_unsupported(*source);
     Augmented augmented = augment(*source);
     GroundOptions options;
     options.prune_irrelevant = false;

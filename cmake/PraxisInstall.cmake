@@ -1,19 +1,21 @@
-# cmake --install and find_package(praxis): the command, the two libraries and their headers.
+# cmake --install and find_package(praxis): the command, the three libraries and their headers.
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/praxis)
 set_target_properties(praxis_parser PROPERTIES EXPORT_NAME parser)
 set_target_properties(praxis_search PROPERTIES EXPORT_NAME search)
-foreach(target praxis_parser praxis_search)
+set_target_properties(praxis_belief PROPERTIES EXPORT_NAME belief)
+foreach(target praxis_parser praxis_search praxis_belief)
   target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/praxis>)
   target_compile_features(${target} PUBLIC cxx_std_20)
 endforeach()
 
 install(TARGETS plan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS praxis_parser praxis_search EXPORT praxis-targets
+install(TARGETS praxis_parser praxis_search praxis_belief EXPORT praxis-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/parser ${PROJECT_SOURCE_DIR}/search
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/praxis FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/parser ${PROJECT_SOURCE_DIR}/search ${PROJECT_SOURCE_DIR}/belief
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/praxis
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "belief/perception" EXCLUDE)
 install(EXPORT praxis-targets NAMESPACE praxis:: DESTINATION ${config_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/praxis-config.cmake.in
                               ${PROJECT_BINARY_DIR}/praxis-config.cmake INSTALL_DESTINATION ${config_dir})
