@@ -14,6 +14,7 @@
 #include "app/output.hpp"
 #include "app/run.hpp"
 #include "belief/check_run.hpp"
+#include "belief/policies/prepared_policy.hpp"
 #include "belief/policies/run_policy.hpp"
 #include "belief/simulated_world.hpp"
 #include "belief/view/run_page.hpp"
@@ -69,6 +70,9 @@ class Runner {
 
     Ending operator()() {
         if (options_.optimum) measure_world();
+        // Weighing readings and following a plan for right ones do not go together.
+        if (options_.policy == "best" && options_.noise == 0 && options_.search.empty())
+            context_.prepared = prepare_best(task_, run_.budget());
         run_.set_phase("acting");
         for (std::size_t i = 0; i < worlds_.count(); ++i) {
             if (run_.budget().exhausted() != Stop::none && !runs_.empty()) break;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "belief/policies/prepared_policy.hpp"
 #include "belief/policies/random_policy.hpp"
 #include "belief/policies/sense_first_policy.hpp"
 
@@ -15,6 +16,12 @@ class PlanPolicy : public Policy {
 };
 
 constexpr PolicyKind kKinds[] = {
+    {"best",
+     "follows the best plan for all readings where one was made beforehand, and does as 'plan' otherwise",
+     [](const PolicyContext& context) -> std::unique_ptr<Policy> {
+         if (context.prepared) return std::make_unique<PreparedPolicy>(context.prepared);
+         return std::make_unique<PlanPolicy>();
+     }},
     {"plan", "follows a plan that assumes the readings it needs, and plans anew when they are otherwise",
      [](const PolicyContext&) -> std::unique_ptr<Policy> { return std::make_unique<PlanPolicy>(); }},
     {"random", "chooses among the actions that are known to be possible, all equally likely",

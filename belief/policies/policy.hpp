@@ -11,6 +11,7 @@
 
 #include "belief/agent.hpp"
 #include "belief/belief.hpp"
+#include "belief/offline/conditional_plan.hpp"
 
 namespace praxis::belief {
 
@@ -31,6 +32,8 @@ class Policy {
     virtual ~Policy() = default;
     /// The next action. The goal is not known to hold. May choose which cases the belief shows to plans.
     virtual Decision next(Belief& belief, const Budget& budget) = 0;
+    /// What has been read after an action, and before the first one.
+    virtual void observed(std::span<const Answer>) {}
     /// Chooses actions that the world may refuse; a refusal costs a step and no more.
     virtual bool tries_anything() const { return false; }
     /// Processor seconds of each search for a plan so far.
@@ -42,6 +45,9 @@ struct PolicyContext {
     std::shared_ptr<const KnowledgePlanner> planner;
     AgentOptions options = default_agent_options();  ///< searches and limits of the run
     std::uint64_t seed = 0;                          ///< of random choices
+    /// For "best": a plan for all readings from the first state, made once for all runs; null if there is
+    /// none.
+    std::shared_ptr<const ConditionalPlan> prepared = nullptr;
 };
 
 struct PolicyKind {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace praxis::belief {
 namespace {
@@ -85,7 +86,9 @@ class PolicyRun {
     }
 
     void observe(std::uint32_t action) {
-        for (const Answer& answer : environment_.observe(action, budget_.stop_token())) {
+        const std::vector<Answer> answers = environment_.observe(action, budget_.stop_token());
+        policy_.observed(answers);
+        for (const Answer& answer : answers) {
             const bool news = !belief_.knows(answer.fact);
             if (!belief_.learn(answer.fact)) {
                 if (context_.options.ignore_contradictions) continue;
