@@ -28,9 +28,9 @@ void PreparedPolicy::observed(std::span<const Answer> answers) {
 std::shared_ptr<const ConditionalPlan> prepare_best(const std::shared_ptr<const BeliefTask>& task,
                                                     const Budget& budget) {
     OptimalPolicyOptions options;
-    options.most_worlds = 256;
-    options.most_states = 10'000;
-    options.most_beliefs = 5'000;
+    options.most_worlds = 1'000;
+    options.most_states = 50'000;
+    options.most_beliefs = 50'000;
     OptimalPolicy policy = optimal_policy(task, options, budget);
     if (policy.status != OptimalPolicy::Status::optimal) return nullptr;
     return std::make_shared<const ConditionalPlan>(std::move(policy.plan));

@@ -23,7 +23,7 @@ class PreparedPolicy : public Policy {
     bool lost_ = false;
 };
 
-/// The best plan for all readings, if the task is so small that it takes some tens of milliseconds at most to
+/// The best plan for all readings, if the task is so small that it takes a fraction of a second at most to
 /// find; null otherwise. Equally good on every machine: the limits are counts.
 std::shared_ptr<const ConditionalPlan> prepare_best(const std::shared_ptr<const BeliefTask>& task,
                                                     const Budget& budget = {});
