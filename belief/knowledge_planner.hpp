@@ -17,6 +17,7 @@ struct KnowledgePlan {
     double seconds = 0;             ///< processor time of this thread
 };
 
+/// For one thread at a time.
 class KnowledgePlanner {
   public:
     explicit KnowledgePlanner(std::shared_ptr<const Compilation> compilation, const Budget& budget = {});
