@@ -176,7 +176,9 @@ Ending run_task(Run& run, const BeliefOptions& options) {
     run.set_phase("grounding");
     const GroundBeliefResult ground = ground_belief(source, run.budget());
     if (!ground.task) return run.stopped(ground.stop);
-    const auto compilation = std::make_shared<const Compilation>(ground.task);
+    CompilationOptions compilation_options;
+    compilation_options.risk = options.risk;
+    const auto compilation = std::make_shared<const Compilation>(ground.task, compilation_options);
     auto planner = std::make_shared<const KnowledgePlanner>(compilation, run.budget());
     if (options.offline) return make_offline_plan(run, options, *planner);
     return Runner(run, options, std::move(planner))();

@@ -82,6 +82,10 @@ std::vector<CLI::Option*> add_acting_options(CLI::App& app, BeliefOptions& optio
     add(app.add_option("--plan-time", options.plan_time, "Most seconds for one plan (default: 10)")
             ->type_name("S")
             ->check(positive_number));
+    add(app.add_option("--risk", options.risk,
+                       "What unlikely outcomes cost in plans: this many actions times -log p (default: 0)")
+            ->type_name("W")
+            ->check(CLI::Range(0.0, 1000.0).description("")));
     add(app.add_flag(
         "--optimum", options.optimum,
         "Compare with the best policy for readings that are right (SPL), where it can be computed"));

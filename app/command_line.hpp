@@ -59,6 +59,7 @@ struct BeliefOptions : CommonOptions {
     std::optional<double> plan_time;  ///< wall seconds for one plan
     std::string search;               ///< an expression; empty: what suits most tasks
     std::uint64_t seed = 0;
+    double risk = 0;       ///< weight of -log p in the costs of assumed outcomes
     bool optimum = false;  ///< compare with the best contingent policy
     std::string trace;     ///< file for JSON lines; "-": standard output; empty: none
     std::string view;      ///< file for a page of the run; empty: none

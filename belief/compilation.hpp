@@ -59,6 +59,10 @@ struct CompilationOptions {
     std::size_t slots = 16;           ///< cases of a component that are planned for at once
     /// Also readings that tell nothing that any condition asks for. The variables are the same without.
     bool all_readings = false;
+    /// What an assumed outcome costs besides, in actions for each factor e by which it is unlikely: weight *
+    /// -log p. With 0 plans hope for the best. Counts for searches that look at costs. p: of "one of n", 1 /
+    /// n; of a tracked component, the share of its first cases; else a half.
+    double risk = 0;
 };
 
 class Compilation {

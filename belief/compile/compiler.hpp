@@ -88,6 +88,9 @@ class Compiler {
     void index_implications();
     void add_operator(const Condition& precondition, const std::vector<GroundEffect>& effects,
                       std::int64_t cost, CompiledOperator origin, const std::vector<std::uint32_t>& words);
+    /// What it costs to assume that a reading has this outcome (see CompilationOptions::risk).
+    std::int64_t risk_of(Fact outcome);
+    double probability(Fact fact);
     /// Both outcomes of a reading.
     void add_readings(const Condition& precondition, const std::vector<GroundEffect>& effects,
                       std::int64_t cost, CompiledOperator origin, std::vector<std::uint32_t> words,

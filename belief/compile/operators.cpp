@@ -1,5 +1,7 @@
 #include "belief/compile/compiler.hpp"
 
+#include <cmath>
+
 namespace praxis::belief {
 
 void Compiler::add_operator(const Condition& precondition, const std::vector<GroundEffect>& effects,
@@ -32,7 +34,7 @@ void Compiler::add_readings(const Condition& precondition, const std::vector<Gro
             continue;
         origin.reads = true;
         origin.outcome = outcome;
-        add_operator(needed, all, cost, origin, words);
+        add_operator(needed, all, cost + risk_of(outcome), origin, words);
     }
 }
 
@@ -49,8 +51,39 @@ void Compiler::add_case_readings(const Condition& precondition, const std::vecto
             add_effect(all, {slots.possible[slot], 0}, {in_slot(opposite(outcome), slot)});
         origin.reads = true;
         origin.outcome = outcome;
-        add_operator(needed, all, cost, origin, words);
+        add_operator(needed, all, cost + risk_of(outcome), origin, words);
     }
+}
+
+std::int64_t Compiler::risk_of(Fact outcome) {
+    if (result_.options_.risk == 0) return 0;
+    const double unit = static_cast<double>(kActionUnit * physical_.cost_scale);
+    return std::llround(result_.options_.risk * unit * -std::log(probability(outcome)));
+}
+
+double Compiler::probability(Fact fact) {
+    constexpr double kLeast = 1e-6;
+    if (tracked(fact.variable)) {
+        const Component& component =
+            result_.components_.tracked[result_.components_.component_of[index(fact.variable)]];
+        const std::uint32_t column = result_.components_.column_of[index(fact.variable)];
+        std::size_t holds = 0;
+        for (std::size_t i = 0; i < component.count(); ++i)
+            holds += component.cases[i * component.variables.size() + column] == fact.value;
+        // Where all cases agree at first, it is an action that will part them.
+        if (holds == 0 || holds == component.count()) return 0.5;
+        return static_cast<double>(holds) / static_cast<double>(component.count());
+    }
+    if (neighbours_.empty()) index_implications();
+    const auto smallest_group = [&](Fact member) {
+        std::size_t size = 0;
+        for (std::uint32_t group : groups_of_[number(member)])
+            if (size == 0 || belief_.groups[group].size() < size) size = belief_.groups[group].size();
+        return static_cast<double>(size);
+    };
+    if (const double size = smallest_group(fact); size > 0) return 1 / size;
+    if (const double size = smallest_group(opposite(fact)); size > 0) return std::max(kLeast, 1 - 1 / size);
+    return 0.5;
 }
 
 void Compiler::find_moments() {
