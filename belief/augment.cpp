@@ -26,6 +26,7 @@ class Augmenter {
         forgotten_.assign(task_->predicates.size(), false);
         for (const SchemaSensing& sensing : source_.sensing)
             for (const Effect& effect : sensing.forgotten) forgotten_[effect.predicate.index()] = true;
+        for (const Decay& decay : source.decays) forgotten_[decay.predicate.index()] = true;
         result_.uncertain.resize(task_->predicates.size());
         for (std::size_t p = 0; p < task_->predicates.size(); ++p)
             result_.uncertain[p].arity = static_cast<std::uint32_t>(task_->predicates[p].parameters.size());
@@ -207,7 +208,7 @@ class Augmenter {
     std::shared_ptr<LiftedTask> task_;
     Augmented result_;
     std::vector<std::set<std::vector<ObjectId>>> seen_;  ///< by predicate: atoms that have been looked at
-    std::vector<bool> forgotten_;                        ///< by predicate: some action forgets its atoms
+    std::vector<bool> forgotten_;                        ///< by predicate: its atoms may be forgotten
     PredicateId sense_;
     std::size_t count_ = 0;
 };

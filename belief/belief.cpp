@@ -24,6 +24,9 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
     const Components& components = compilation_->components();
     for (const Component& component : components.tracked) cases_.emplace_back(task, components, component);
     exceptions_.resize(cases_.size());
+    if (std::any_of(task.lasting.begin(), task.lasting.end(),
+                    [](std::int64_t steps) { return steps != BeliefTask::kForever; }))
+        confirmed_.assign(touched_.size(), 0);
     complete();
 }
 
@@ -90,11 +93,28 @@ void Belief::act(std::uint32_t action) {
     for (const GroundEffect& effect : compilation_->effects(action))
         if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
             values_[static_cast<std::size_t>(effect.fact.variable)] = effect.fact.value;
+    ++step_;
+    if (!confirmed_.empty()) {
+        for (const GroundEffect& effect : physical().effects[action])
+            if (effect.condition == 0) confirmed_[static_cast<std::size_t>(effect.fact.variable)] = step_;
+        decay();
+    }
     complete();
+}
+
+/// What has not been confirmed for too long is not known any more.
+void Belief::decay() {
+    const std::vector<std::int64_t>& lasting = compilation_->belief().lasting;
+    for (std::size_t v = 0; v < lasting.size(); ++v) {
+        if (lasting[v] == BeliefTask::kForever || step_ - confirmed_[v] <= lasting[v]) continue;
+        touched_[v] = true;
+        values_[basic(static_cast<std::int32_t>(v))] = Compilation::kNotKnown;
+    }
 }
 
 bool Belief::learn(Fact fact) {
     const BeliefTask& task = compilation_->belief();
+    if (!confirmed_.empty()) confirmed_[static_cast<std::size_t>(fact.variable)] = step_;
     if (knows(fact)) return true;
     const auto variable = static_cast<std::size_t>(fact.variable);
     if (truth(fact) == Truth::known_false || !task.uncertain[variable]) return false;

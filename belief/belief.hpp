@@ -67,6 +67,7 @@ class Belief {
         return static_cast<std::size_t>(compilation_->variable(variable));
     }
     void complete();
+    void decay();
 
     std::shared_ptr<const Compilation> compilation_;
     std::shared_ptr<const AxiomEvaluator> axioms_;
@@ -78,6 +79,9 @@ class Belief {
     std::vector<std::int32_t> values_;
     std::vector<Cases> cases_;                          ///< by component
     std::vector<std::vector<std::int8_t>> exceptions_;  ///< by component: a row, or empty
+    std::int64_t step_ = 0;                             ///< actions so far
+    std::vector<std::int64_t>
+        confirmed_;  ///< by physical variable: the step when it was known last; empty without `:decay`
     std::vector<std::int32_t> before_;
     std::vector<std::int32_t> news_;
 };

@@ -48,6 +48,9 @@ struct BeliefTask {
 
     PackedLists<GroundReading> readings;  ///< by operator: what it tells about the state after it
     PackedLists<std::int32_t> forgotten;  ///< by operator: variables whose values it leaves open
+    /// By variable: knowledge of it lasts this many actions (`:decay`); kForever otherwise.
+    std::vector<std::int64_t> lasting;
+    static constexpr std::int64_t kForever = -1;
     std::vector<GroundSensor> sensors;
     PackedLists<Fact> sensor_conditions;  ///< by sensor
 

@@ -89,6 +89,8 @@ Components find_components(const BeliefTask& task, std::size_t most_cases) {
 
     // What an action leaves to chance has no cases that could be counted beforehand.
     for (std::int32_t variable : task.forgotten.items()) found.erase(sets.find(index(variable)));
+    for (std::size_t v = 0; v < count; ++v)
+        if (task.lasting[v] != BeliefTask::kForever) found.erase(sets.find(v));
 
     Components result;
     result.component_of.assign(count, Components::kNone);

@@ -245,6 +245,9 @@ class Grounder {
         uncertain.assign(task.variable_count(), false);
         for (std::size_t v = 0; v < uncertain.size(); ++v)
             uncertain[v] = task_->initial_values[v] == BeliefTask::kUnknown;
+        add_decay();
+        for (std::size_t v = 0; v < uncertain.size(); ++v)
+            if (task_->lasting[v] != BeliefTask::kForever) uncertain[v] = true;
         for (std::size_t o = 0; o < task.operator_count(); ++o)
             for (std::int32_t variable : task_->forgotten[o])
                 uncertain[static_cast<std::size_t>(variable)] = true;
@@ -271,6 +274,20 @@ class Grounder {
                 refuse(source_->task->goal.where, "the atoms of " +
                                                       task.fact_name({static_cast<std::int32_t>(v), 0}) +
                                                       " may become uncertain, but exclude each other");
+    }
+
+    void add_decay() {
+        const FiniteDomainTask& task = *physical_;
+        task_->lasting.assign(task.variable_count(), BeliefTask::kForever);
+        for (const Decay& decay : source_->decays) {
+            const std::string& predicate = source_->task->predicates[decay.predicate.index()].name;
+            for (std::size_t v = 0; v < task.variable_count(); ++v) {
+                if (task.derived(static_cast<std::int32_t>(v))) continue;
+                const auto words = task.fact_names.names[task.first_fact[v]];
+                if (!words.empty() && task.fact_names.symbols[words[0]] == predicate)
+                    task_->lasting[v] = decay.steps;
+            }
+        }
     }
 
     [[noreturn]] void contradiction(Location where) const {
@@ -351,7 +368,6 @@ void refuse_unsupported(const ContingentTask& task) {
         refuse(task.default_model.front().where, "sensing models are not planned for");
     if (!task.default_observations.empty())
         refuse(task.default_observations.front().where, "sensing models are not planned for");
-    if (!task.decays.empty()) refuse(task.decays.front().where, "knowledge that decays is not planned for");
 }
 
 }  // namespace

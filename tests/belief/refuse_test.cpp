@@ -19,14 +19,6 @@ std::string refusal(const std::string& domain, const std::string& problem) {
 
 constexpr const char* kProblem = "(define (problem p) (:domain d) (:init (unknown (q))) (:goal (r)))";
 
-TEST(Refuse, Decay) {
-    EXPECT_NE(refusal("(define (domain d) (:predicates (q) (r)) (:decay q 3)"
-                      "(:action a :parameters () :precondition (q) :effect (r)))",
-                      kProblem)
-                  .find("d.pddl:1:"),
-              std::string::npos);
-}
-
 TEST(Refuse, SensingModels) {
     EXPECT_NE(refusal("(define (domain d) (:predicates (q) (r) (o)) (:variable v (q)) (:obs-variable w (o))"
                       "(:action a :parameters () :precondition (q) :effect (r))"

@@ -89,7 +89,8 @@ TEST(VisionObserver, SeesThroughAServerAndThenThroughItsRecord) {
             const bool right = content.size() == 2 &&
                                contains(prompt, "1. Is drawer open?\n2. Is cup1 inside drawer?\n") &&
                                contains(prompt, "3. Is (dirty cup1) true?");
-            return test::says(right ? answers({"true", "false", "unknown"}, {cup("cup1", "top", 60, 40)})
+            return test::says(right ? answers({"true", "false", "unknown"},
+                                              nlohmann::json::array({cup("cup1", "top", 60, 40)}))
                                     : "confused");
         });
         VisionModelOptions options;
