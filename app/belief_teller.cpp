@@ -15,7 +15,7 @@ void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
     if (!wants_text_) return;
     switch (event.kind) {
         case Event::Kind::planned:
-            text_ += "; plan of " + std::to_string(event.plan_length) + " actions (" + event.text + ")\n";
+            text_ += "; plan of " + std::to_string(event.plan.size()) + " actions (" + event.text + ")\n";
             break;
         case Event::Kind::executed:
             text_ += action + "\n";
@@ -38,7 +38,7 @@ void BeliefTeller::tell_json(const Event& event, const std::string& action, cons
     if (!action.empty()) line["action"] = action;
     if (!event.text.empty()) line["text"] = event.text;
     if (event.kind == Event::Kind::planned) {
-        line["actions"] = event.plan_length;
+        line["actions"] = event.plan.size();
         line["processor_seconds"] = event.seconds;
     }
     std::size_t known = 0, unknown = 0;

@@ -155,7 +155,6 @@ class Agent::Run {
             const std::uint32_t action = planner_.compilation().origin(step).action;
             if (action != CompiledOperator::kNone) event.plan.push_back(action);
         }
-        event.plan_length = event.plan.size();
         tell(event);
         return true;
     }

@@ -58,7 +58,6 @@ struct Event {
     std::uint32_t action = Environment::kStart;  ///< executed, failed
     std::string text;                            ///< why planned, what was read, how finished
     std::vector<std::uint32_t> plan = {};        ///< planned: the actions of the plan
-    std::size_t plan_length = 0;                 ///< planned: actions of the plan
     double seconds = 0;                          ///< planned: processor time
 };
 

@@ -1,22 +1,12 @@
 #include "belief/knowledge_planner.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <new>
 #include <utility>
 
+#include "search/thread_time.hpp"
+
 namespace praxis::belief {
-namespace {
-
-double thread_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
-
-}  // namespace
-
 KnowledgePlanner::KnowledgePlanner(std::shared_ptr<const Compilation> compilation, const Budget& budget)
     : compilation_(std::move(compilation)),
       prepared_(compilation_->task(), budget),

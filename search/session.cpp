@@ -1,7 +1,6 @@
 #include "search/session.hpp"
 
 #include <malloc.h>
-#include <time.h>
 
 #include <algorithm>
 #include <new>
@@ -11,6 +10,7 @@
 #include "search/atom_index.hpp"
 #include "search/lifted/lifted_search.hpp"
 #include "search/plan_names.hpp"
+#include "search/thread_time.hpp"
 
 namespace praxis {
 namespace {
@@ -18,12 +18,6 @@ namespace {
 /// The shares of time and memory that grounding may take.
 constexpr double kGroundingTime = 0.4;
 constexpr double kGroundingMemory = 0.5;
-
-double thread_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 std::string text(const LiftedTask& task, const Atom& atom) {
     std::string result = "(" + task.predicates[atom.predicate.index()].name;

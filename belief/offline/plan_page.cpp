@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "belief/offline/plan_tree.hpp"
+#include "belief/view/markup.hpp"
 
 namespace praxis::belief {
 namespace {
@@ -25,29 +26,6 @@ constexpr const char* kStyle =
     ".answer{fill:#e0a35a;stroke:#14191f}code.answer{color:#e0a35a}a{color:#7db4e8}.drawing{border-color:#"
     "33404d}}";
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", value);
@@ -59,7 +37,8 @@ std::string block_name(std::uint32_t block) {
 }
 
 std::string text_at(double x, double y, const std::string& text, const char* more = "") {
-    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\"" + more + ">" + escaped(text) + "</text>";
+    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\"" + more + ">" + escape_markup(text) +
+           "</text>";
 }
 
 class Page {
@@ -133,7 +112,7 @@ class Page {
         if (!content.actions.empty()) {
             text_ += "<ol>";
             for (const std::string& action : content.actions)
-                text_ += "<li><code>" + escaped(action) + "</code></li>";
+                text_ += "<li><code>" + escape_markup(action) + "</code></li>";
             text_ += "</ol>";
         }
         text_ += "<ul>";
@@ -142,7 +121,7 @@ class Page {
             if (!choice.answers.empty()) {
                 text_ += "if <code class=\"answer\">";
                 for (std::size_t i = 0; i < choice.answers.size(); ++i)
-                    text_ += (i == 0 ? "" : ", ") + escaped(choice.answers[i]);
+                    text_ += (i == 0 ? "" : ", ") + escape_markup(choice.answers[i]);
                 text_ += "</code>: ";
             }
             if (choice.target == PlanBlock::kGoal) {
@@ -167,8 +146,8 @@ std::string plan_to_html(const BeliefTask& task, const ConditionalPlan& plan, co
     const std::vector<PlanBlock> blocks = plan_blocks(task, plan);
     Page page(blocks);
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><title>" +
-                       escaped(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
-                       escaped(title) + "</h1>\n<p>" + escaped(summary) + "</p>\n";
+                       escape_markup(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
+                       escape_markup(title) + "</h1>\n<p>" + escape_markup(summary) + "</p>\n";
     if (blocks.empty()) {
         text += "<p>Nothing to do.</p>\n";
     } else if (blocks.size() <= kMostDrawn) {

@@ -1,7 +1,5 @@
 #include "search/ground/ground.hpp"
 
-#include <time.h>
-
 #include <utility>
 
 #include "search/ground/encode.hpp"
@@ -12,15 +10,10 @@
 #include "search/ground/refuse.hpp"
 #include "search/ground/relations.hpp"
 #include "search/ground/simplify.hpp"
+#include "search/thread_time.hpp"
 
 namespace praxis {
 namespace {
-
-double thread_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 class PhaseTimer {
   public:
