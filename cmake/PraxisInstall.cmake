@@ -5,15 +5,16 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/praxis)
 set_target_properties(praxis_parser PROPERTIES EXPORT_NAME parser)
 set_target_properties(praxis_search PROPERTIES EXPORT_NAME search)
 set_target_properties(praxis_belief PROPERTIES EXPORT_NAME belief)
-foreach(target praxis_parser praxis_search praxis_belief)
+set_target_properties(praxis_practice PROPERTIES EXPORT_NAME practice)
+foreach(target praxis_parser praxis_search praxis_belief praxis_practice)
   target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/praxis>)
   target_compile_features(${target} PUBLIC cxx_std_20)
 endforeach()
 
 install(TARGETS plan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS praxis_parser praxis_search praxis_belief EXPORT praxis-targets
+install(TARGETS praxis_parser praxis_search praxis_belief praxis_practice EXPORT praxis-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/parser ${PROJECT_SOURCE_DIR}/search ${PROJECT_SOURCE_DIR}/belief
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/parser ${PROJECT_SOURCE_DIR}/search ${PROJECT_SOURCE_DIR}/belief ${PROJECT_SOURCE_DIR}/practice
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/praxis
         FILES_MATCHING PATTERN "*.hpp" PATTERN "belief/perception" EXCLUDE)
 install(EXPORT praxis-targets NAMESPACE praxis:: DESTINATION ${config_dir})
