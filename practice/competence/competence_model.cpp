@@ -4,8 +4,12 @@
 
 namespace praxis::practice {
 
+double CompetenceModel::clip(double probability) {
+    return std::clamp(probability, 1e-6, 1.0);
+}
+
 double CompetenceModel::competence() const {
-    return std::clamp(posterior().mean(), 1e-6, 1.0);
+    return clip(posterior().mean());
 }
 
 }  // namespace praxis::practice

@@ -6,37 +6,29 @@
 // be after further practice. Models, by name:
 //
 //   beta         posterior mean over all outcomes; predicts competence + bonus. With the prior Beta(1, 1)
-//   this is
-//                the thesis's Beta(n+1, m+1).
+//                this is the thesis's Beta(n+1, m+1).
 //   optimistic   posterior mean over the last `window` cycles that had outcomes; extrapolates the largest
-//   change
-//                of success among the last `recency` of them (Kumar et al., RSS 2024, released code)
+//                change of success among the last `recency` of them (Kumar et al., RSS 2024, released code)
 //   latent       latent competence that grows by an exponential learning curve of the number of outcomes,
-//   fitted by
-//                expectation maximisation (the same paper)
+//                fitted by expectation maximisation (the same paper)
+//
+// A model's state is a function of its options, its prior and the outcomes with their cycles; cycles without
+// outcomes change nothing.
 #pragma once
 
 #include <memory>
 #include <string>
 
-namespace praxis::practice {
+#include "practice/competence/beta.hpp"
 
-/// A Beta distribution; both counts positive.
-struct Beta {
-    double successes = 1, failures = 1;
-    double mean() const { return successes / (successes + failures); }
-    double variance() const {
-        const double n = successes + failures;
-        return successes * failures / (n * n * (n + 1));
-    }
-};
+namespace praxis::practice {
 
 struct CompetenceOptions {
     std::string model = "optimistic";
     Beta prior{10, 1};   ///< before any outcome: an optimist's 0.909; the thesis's is {1, 1}
     int window = 5;      ///< optimistic: cycles that the competence now looks at
     int recency = 5;     ///< optimistic: cycles that the extrapolation looks at
-    double bonus = 0.5;  ///< beta; and optimistic with fewer than two cycles
+    double bonus = 0.5;  ///< beta; optimistic with fewer than two cycles, latent before its first curve
 };
 
 class CompetenceModel {
@@ -45,15 +37,22 @@ class CompetenceModel {
     virtual void observe(bool success) = 0;
     /// The parameter policies have been learned anew.
     virtual void advance_cycle() = 0;
-    /// Another prior, as that of `SharedPrior`; outcomes are kept.
+    /// Another prior, as that of `SharedPrior`; outcomes are kept. Throws std::invalid_argument for one that
+    /// is no distribution.
     virtual void set_prior(Beta prior) = 0;
+    /// The outcomes that speak of what the prior speaks of, and so of what siblings may expect.
+    virtual Counts evidence() const = 0;
     /// The distribution of the probability of success now.
     virtual Beta posterior() const = 0;
     /// Its mean; in [1e-6, 1].
     double competence() const;
     /// What `competence` would be after `outcomes` more outcomes (latent) or as many more cycles as `cycles`
-    /// (optimistic); in [1e-6, 1].
+    /// (optimistic), neither negative; in [1e-6, 1].
     virtual double predict(int outcomes, int cycles) const = 0;
+
+  protected:
+    /// To [1e-6, 1], where a competence has a finite cost.
+    static double clip(double probability);
 };
 
 /// Throws std::invalid_argument with the names there are, or for options out of range.
