@@ -66,14 +66,20 @@ class SimulatedEnvironment : public Environment {
                          Random& random) const = 0;
 };
 
-/// Has a true state, and acts.
+/// Has a true state, is given tasks, and acts.
 class World {
   public:
     virtual ~World() = default;
+    /// The robot is given its next task: what is to be true. Whether the state changes with that (somebody
+    /// tidied up) is the world's affair.
+    virtual std::vector<GroundAtom> next_task() = 0;
     /// The state as it is now.
     virtual const State& observe() = 0;
     /// Runs the skill to its end, whatever comes of it.
     virtual void execute(const GroundSkill& skill, std::span<const double> parameters) = 0;
+    /// A run is taken up from a journal that ends in this state, after so many skills and tasks. A real world
+    /// is where it is; a simulated one puts itself there.
+    virtual void resume(const State& /*state*/, std::uint64_t /*skills*/, std::uint64_t /*tasks*/) {}
 };
 
 /// In [0, 1).

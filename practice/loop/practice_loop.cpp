@@ -1,0 +1,153 @@
+#include "practice/loop/practice_loop.hpp"
+
+#include <ctime>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "practice/loop/simulated_world.hpp"
+#include "search/thread_time.hpp"
+
+namespace praxis::practice {
+
+namespace {
+
+constexpr std::uint64_t kTestTasks = 4, kTests = 5;
+
+void check(const PracticeOptions& options) {
+    if (options.cycles < 0 || options.cycle_steps < 0 || options.test_tasks < 0 || options.situations < 1 ||
+        options.replans < 0 || !(options.bonus >= 0))
+        throw std::invalid_argument(
+            "cycles, steps, tasks and the bonus must not be negative, and there must be one situation at "
+            "least");
+    if (options.candidates != "tried" && options.candidates != "all")
+        throw std::invalid_argument("candidates are 'tried' or 'all', not '" + options.candidates + "'");
+}
+
+}  // namespace
+
+PracticeLoop::PracticeLoop(const Environment& environment, World& world, const PracticeOptions& options)
+    : world_(&world), learner_((check(options), environment), options) {
+    method_ = make_method(options.method, learner_);
+}
+
+int PracticeLoop::cycle_steps() const {
+    const int steps = learner_.options().cycle_steps;
+    return steps > 0 ? steps : learner_.skills().environment().description().cycle_steps;
+}
+
+bool PracticeLoop::step(const Decision& decision) {
+    world_->execute(learner_.skills().skill(decision.skill), decision.parameters);
+    Moment after = learner_.moment(world_->observe());
+    const bool success = learner_.observe(now_, decision, after);
+    method_->observe(now_, decision, after, success, false);
+    now_ = std::move(after);
+    return success;
+}
+
+bool PracticeLoop::run_cycle(std::stop_token stop) {
+    const SkillTask& skills = learner_.skills();
+    const std::vector<Fact> goal = skills.goal(world_->next_task());
+    now_ = learner_.moment(world_->observe());
+    method_->begin_task({now_.values, goal}, false);
+    const std::int64_t end = learner_.transitions() + cycle_steps();
+    const auto more = [&] { return learner_.transitions() < end && !stop.stop_requested(); };
+    for (int i = 0; i < skills.environment().description().horizon && more(); ++i) {
+        if (all_hold(goal, now_.values.data())) break;
+        const std::optional<Decision> decision = method_->pursue(now_, goal, learner_.random());
+        if (!decision) break;
+        step(*decision);
+    }
+    method_->begin_practice();
+    while (more()) {
+        const std::optional<Decision> decision = method_->practise(now_);
+        if (!decision) return false;
+        step(*decision);
+    }
+    if (stop.stop_requested()) return false;
+    learner_.learn();
+    method_->end_cycle();
+    return true;
+}
+
+bool PracticeLoop::solves(const SimulatedEnvironment& environment, const PracticeTask& task, Random& random) {
+    const SkillTask& skills = learner_.skills();
+    const std::vector<Fact> goal = skills.goal(task.goal);
+    Moment now = learner_.moment(task.initial);
+    method_->begin_task({now.values, goal}, true);
+    for (int i = 0; i < environment.description().horizon; ++i) {
+        if (all_hold(goal, now.values.data())) return true;
+        const std::optional<Decision> decision = method_->pursue(now, goal, random);
+        if (!decision) return false;
+        Moment after{now.state, {}};
+        environment.execute(after.state, skills.skill(decision->skill), decision->parameters, random);
+        skills.read(after.state, after.values);
+        const bool success = skills.succeeded(decision->skill, now.values, after.values);
+        method_->observe(now, *decision, after, success, true);
+        now = std::move(after);
+    }
+    return all_hold(goal, now.values.data());
+}
+
+RunResult run_practice(const SimulatedEnvironment& environment, const PracticeOptions& options,
+                       const PracticeHooks& hooks, const std::string& journal_path) {
+    SimulatedWorld simulated(environment, options.seed, options.reset);
+    std::optional<Journal> journal;
+    std::optional<JournaledWorld> journaled;
+    if (!journal_path.empty()) {
+        journal.emplace(journal_path, settings_text(environment, options));
+        journaled.emplace(simulated, *journal);
+    }
+    World& world = journaled ? static_cast<World&>(*journaled) : simulated;
+
+    RunResult result;
+    result.environment = environment.description().name;
+    result.method = options.method;
+    result.seed = options.seed;
+    double start = thread_seconds();
+    PracticeLoop loop(environment, world, options);
+    std::vector<PracticeTask> tests;
+    for (int i = 0; i < options.test_tasks; ++i) {
+        Random random = random_stream(options.seed, kTestTasks, static_cast<std::uint64_t>(i));
+        tests.push_back(environment.sample_task(random));
+    }
+    for (int cycle = 0;; ++cycle) {
+        const double practised = thread_seconds();
+        result.processor_seconds += practised - start;
+        int solved = 0;
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            Random random =
+                random_stream(options.seed, kTests, (static_cast<std::uint64_t>(cycle) << 32) + i);
+            solved += loop.solves(environment, tests[i], random);
+        }
+        start = thread_seconds();
+        result.evaluation_seconds += start - practised;
+        result.curve.push_back(
+            {cycle, loop.learner().transitions(),
+             tests.empty() ? 0 : static_cast<double>(solved) / static_cast<double>(tests.size())});
+        if (hooks.on_cycle) hooks.on_cycle(result);
+        if (cycle == options.cycles || !loop.run_cycle(hooks.stop)) break;
+        for (PracticeChoice& choice : loop.method().take_choices())
+            result.choices.push_back(std::move(choice));
+        if (journal) journal->sync();
+    }
+    return result;
+}
+
+std::string settings_text(const Environment& environment, const PracticeOptions& o) {
+    std::ostringstream text;
+    text.precision(17);
+    text << environment.description().name << " method=" << o.method << " seed=" << o.seed
+         << " cycle_steps=" << o.cycle_steps << " test_tasks=" << o.test_tasks << " reset=" << o.reset
+         << " candidates=" << o.candidates << " bonus=" << o.bonus << " situations=" << o.situations
+         << " replans=" << o.replans << " sharing=" << o.sharing << " competence=" << o.competence.model
+         << "(" << o.competence.prior.successes << "," << o.competence.prior.failures << ","
+         << o.competence.window << "," << o.competence.recency << "," << o.competence.bonus
+         << ") policy=" << o.policy.classifier.kind << "(" << o.policy.candidates << ","
+         << o.policy.exploration << "," << o.policy.epsilon << "," << o.policy.features
+         << ") planner=" << o.planner.most_states << "," << o.planner.search;
+    return text.str();
+}
+
+}  // namespace praxis::practice

@@ -1,0 +1,43 @@
+#include "practice/methods/planned_method.hpp"
+
+namespace praxis::practice {
+
+void PlannedMethod::begin_task(const Situation& situation, bool test) {
+    task_plan_.forget();
+    test_ = test;
+    if (test) return;
+    task_ = situation;
+    if (first_.size() < static_cast<std::size_t>(learner_->options().situations)) first_.push_back(situation);
+}
+
+std::optional<Decision> PlannedMethod::pursue(const Moment& now, const std::vector<Fact>& goal,
+                                              Random& random) {
+    const std::optional<SkillIndex> skill = task_plan_.next(now.values, goal);
+    if (task_plan_.replanned() && !test_) {
+        replans_.push_back({now.values, goal});
+        if (replans_.size() > static_cast<std::size_t>(learner_->options().replans)) replans_.pop_front();
+    }
+    if (!skill) return std::nullopt;
+    return learner_->decide(*skill, now.state, Learner::Mode::greedy, random);
+}
+
+void PlannedMethod::observe(const Moment&, const Decision&, const Moment&, bool success, bool) {
+    task_plan_.observe(success);
+    practice_plan_.observe(success);
+}
+
+std::optional<Decision> PlannedMethod::random_skill(const Moment& now) const {
+    std::vector<SkillIndex> applicable;
+    learner_->skills().for_each_applicable(now.values, [&](SkillIndex i) { applicable.push_back(i); });
+    if (applicable.empty()) return std::nullopt;
+    const SkillIndex skill = applicable[learner_->random().below(applicable.size())];
+    return learner_->decide(skill, now.state, Learner::Mode::base, learner_->random());
+}
+
+std::vector<Situation> PlannedMethod::situations() const {
+    std::vector<Situation> all = first_;
+    all.insert(all.end(), replans_.begin(), replans_.end());
+    return all;
+}
+
+}  // namespace praxis::practice

@@ -1,0 +1,42 @@
+// The part that all methods with plans share: tasks are pursued by plans of least cost.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "practice/methods/method.hpp"
+#include "practice/methods/plan_follower.hpp"
+
+namespace praxis::practice {
+
+class PlannedMethod : public Method {
+  public:
+    explicit PlannedMethod(Learner& learner)
+        : learner_(&learner), task_plan_(learner), practice_plan_(learner) {}
+
+    void begin_task(const Situation& situation, bool test) override;
+    std::optional<Decision> pursue(const Moment& now, const std::vector<Fact>& goal, Random& random) override;
+    void begin_practice() override { practice_plan_.forget(); }
+    void observe(const Moment& before, const Decision& decision, const Moment& after, bool success,
+                 bool test) override;
+
+  protected:
+    /// A random skill of those that can be executed now, with parameters of the base sampler.
+    std::optional<Decision> random_skill(const Moment& now) const;
+    /// The tasks over which plans are costed.
+    std::vector<Situation> situations() const;
+    const Situation& task() const { return task_; }
+
+    Learner* learner_;
+    PlanFollower task_plan_;
+    PlanFollower practice_plan_;
+
+  private:
+    Situation task_;
+    bool test_ = false;
+    std::vector<Situation> first_;
+    std::deque<Situation> replans_;
+};
+
+}  // namespace praxis::practice

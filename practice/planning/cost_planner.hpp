@@ -1,0 +1,80 @@
+// Plans that are most likely to succeed, and what they would cost if a skill were better.
+//
+// One planner serves a whole run of practice: the states are expanded once (`StateGraph`), then a plan for
+// changed costs, from a changed state, to a changed goal is a shortest path, exact. Where a task has more
+// states than `most_states`, plans come from the search given by `search`, with costs rounded to 2^-20 nat.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "practice/planning/shortest_paths.hpp"
+
+namespace praxis::practice {
+
+struct SkillPlan {
+    std::vector<SkillIndex> skills;
+    Cost cost = 0;
+};
+
+/// A task in symbols.
+struct Situation {
+    std::vector<std::int32_t> values;  ///< by variable, derived ones too
+    std::vector<Fact> goal;            ///< sorted
+    friend bool operator==(const Situation&, const Situation&) = default;
+};
+
+/// What if a skill cost this?
+struct Improvement {
+    SkillIndex skill;
+    Cost cost;
+};
+
+struct CostPlannerOptions {
+    std::size_t most_states = 200'000;
+    std::string search = "astar(lmcut())";  ///< for tasks with more states
+    double search_seconds = 10;             ///< for each such search
+    int threads = 1;                        ///< for many situations or improvements
+};
+
+class CostPlanner {
+  public:
+    /// Throws std::invalid_argument for a wrong search.
+    explicit CostPlanner(const SkillTask& skills, const CostPlannerOptions& options = {});
+    ~CostPlanner();
+
+    /// A cheapest plan; `costs` by skill. None: there is no plan, or (beyond `most_states`) none was found in
+    /// time.
+    std::optional<SkillPlan> plan(const Situation& situation, std::span<const Cost> costs);
+
+    /// The mean cost in nats of the situations' cheapest plans, for each improvement alone. Situations
+    /// without a plan are left out; if none has one, the mean is infinite.
+    std::vector<double> expected_costs(std::span<const Situation> situations, std::span<const Cost> costs,
+                                       std::span<const Improvement> improvements);
+
+    /// Symbolic states met so far.
+    std::size_t states() const { return graph_.size(); }
+
+  private:
+    struct GoalTable;
+    GoalTable& table(const std::vector<Fact>& goal);
+    void update(GoalTable& table, std::span<const Cost> costs);
+    std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
+                                     std::span<const Cost> costs) const;
+    std::optional<SkillPlan> search(const Situation& situation, std::span<const Cost> costs) const;
+    std::vector<double> search_costs(std::span<const Situation> situations, std::span<const Cost> costs,
+                                     std::span<const Improvement> improvements) const;
+
+    const SkillTask* skills_;
+    CostPlannerOptions options_;
+    StateGraph graph_;
+    std::vector<ShortestPaths> scratch_;  // by thread
+    std::vector<std::unique_ptr<GoalTable>> tables_;
+};
+
+}  // namespace praxis::practice
