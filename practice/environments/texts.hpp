@@ -1,0 +1,10 @@
+// The PDDL texts of the environments, taken from domains/practice and problems/practice when Praxis is built.
+#pragma once
+
+namespace praxis::practice::texts {
+
+extern const char* const kLightSwitchDomain;
+extern const char* const kBallRingDomain;
+extern const char* const kBallRingProblem;
+
+}  // namespace praxis::practice::texts
