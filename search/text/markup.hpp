@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace praxis::belief {
+namespace praxis {
 
 /// Between tags and in attributes.
 std::string escape_markup(std::string_view text);
@@ -13,4 +13,4 @@ std::string escape_markup(std::string_view text);
 /// the element.
 std::string script_string(std::string_view text);
 
-}  // namespace praxis::belief
+}  // namespace praxis

@@ -1,8 +1,8 @@
-#include "belief/view/markup.hpp"
+#include "search/text/markup.hpp"
 
 #include <cstdio>
 
-namespace praxis::belief {
+namespace praxis {
 
 std::string escape_markup(std::string_view text) {
     std::string result;
@@ -45,4 +45,4 @@ std::string script_string(std::string_view text) {
     return result + "\"";
 }
 
-}  // namespace praxis::belief
+}  // namespace praxis
