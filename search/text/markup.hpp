@@ -6,7 +6,8 @@
 
 namespace praxis {
 
-/// Between tags and in attributes.
+/// Between tags and in attributes. What no XML text may hold (control characters, broken UTF-8) becomes
+/// U+FFFD.
 std::string escape_markup(std::string_view text);
 
 /// As a string of JSON that may stand inside of a `script` element: quoted, and without "<", which could end
