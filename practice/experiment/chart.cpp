@@ -30,6 +30,7 @@ constexpr const char* kStyle =
 constexpr const char* kDashes[] = {"", "7 4", "2 3", "9 3 2 3"};
 
 constexpr double kLeft = 58, kTop = 34, kBottom = 46, kLegend = 190, kLegendLine = 18, kMargin = 14;
+constexpr double kLargest = 1e100;        ///< of a point's numbers
 constexpr std::size_t kLongestName = 24;  ///< characters of a name that the legend has room for
 
 std::string place(double value) {
@@ -88,7 +89,8 @@ class Chart {
   private:
     void take_in(const ChartPoint& point) {
         for (const double value : {point.x, point.y, point.low, point.high})
-            if (!std::isfinite(value)) throw std::invalid_argument("a point of a chart is not finite");
+            if (!(std::abs(value) <= kLargest))
+                throw std::invalid_argument("a point of a chart is not finite, or too large");
         x_low_ = std::min(x_low_, point.x);
         x_high_ = std::max(x_high_, point.x);
     }
