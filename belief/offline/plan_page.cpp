@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "belief/offline/plan_tree.hpp"
-#include "belief/view/markup.hpp"
+#include "search/text/markup.hpp"
 
 namespace praxis::belief {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "belief/offline/plan_blocks.hpp"
-#include "belief/view/markup.hpp"
 #include "belief/view/run_page_parts.hpp"
+#include "search/text/markup.hpp"
 
 namespace praxis::belief {
 namespace {

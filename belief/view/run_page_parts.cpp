@@ -1,6 +1,6 @@
 #include "belief/view/run_page_parts.hpp"
 
-#include "belief/view/markup.hpp"
+#include "search/text/markup.hpp"
 
 namespace praxis::belief {
 namespace {

@@ -12,6 +12,7 @@ struct CurvePoint {
     int cycle = 0;
     std::int64_t transitions = 0;  ///< skills executed in practice so far
     double solved = 0;             ///< the fraction of test tasks solved, in [0, 1]
+    bool operator==(const CurvePoint&) const = default;
 };
 
 /// A candidate as it stood when a skill to practise was chosen.
@@ -32,6 +33,7 @@ struct PracticeChoice {
     std::int64_t transitions = 0;
     std::string chosen;  ///< empty: no candidate could be reached, a random skill was executed
     std::vector<CandidateScore> candidates;  ///< best first
+    bool operator==(const PracticeChoice&) const = default;
 };
 
 struct RunResult {
@@ -42,6 +44,7 @@ struct RunResult {
         choices;                   ///< the first of each cycle, and each that differs from the one before
     double processor_seconds = 0;  ///< of the practice and learning, without evaluations
     double evaluation_seconds = 0;
+    bool operator==(const RunResult&) const = default;
 };
 
 }  // namespace praxis::practice
