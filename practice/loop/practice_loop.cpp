@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kTestTasks = 4, kTests = 5;
 
 void check(const PracticeOptions& options) {
-    if (options.cycles < 0 || options.cycle_steps < 0 || options.test_tasks < 0 || options.situations < 1 ||
+    if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.test_tasks < 0 || options.situations < 1 ||
         options.replans < 0 || !(options.bonus >= 0))
         throw std::invalid_argument(
             "cycles, steps, tasks and the bonus must not be negative, and there must be one situation at "
@@ -37,13 +37,20 @@ int PracticeLoop::cycle_steps() const {
     return steps > 0 ? steps : learner_.skills().environment().description().cycle_steps;
 }
 
-bool PracticeLoop::step(const Decision& decision) {
+void PracticeLoop::step(const Decision& decision) {
     world_->execute(learner_.skills().skill(decision.skill), decision.parameters);
     Moment after = learner_.moment(world_->observe());
     const bool success = learner_.observe(now_, decision, after);
     method_->observe(now_, decision, after, success, false);
     now_ = std::move(after);
-    return success;
+    const int interval = learner_.options().learn_every;
+    if (interval > 0 && learner_.transitions() - learned_ >= interval) learn();
+}
+
+void PracticeLoop::learn() {
+    learned_ = learner_.transitions();
+    learner_.learn();
+    method_->learned();
 }
 
 bool PracticeLoop::run_cycle(std::stop_token stop) {
@@ -66,7 +73,7 @@ bool PracticeLoop::run_cycle(std::stop_token stop) {
         step(*decision);
     }
     if (stop.stop_requested()) return false;
-    learner_.learn();
+    if (learned_ < learner_.transitions()) learn();
     method_->end_cycle();
     return true;
 }
@@ -139,7 +146,7 @@ std::string settings_text(const Environment& environment, const PracticeOptions&
     std::ostringstream text;
     text.precision(17);
     text << environment.description().name << " method=" << o.method << " seed=" << o.seed
-         << " cycle_steps=" << o.cycle_steps << " test_tasks=" << o.test_tasks << " reset=" << o.reset
+         << " cycle_steps=" << o.cycle_steps << " learn_every=" << o.learn_every << " test_tasks=" << o.test_tasks << " reset=" << o.reset
          << " candidates=" << o.candidates << " bonus=" << o.bonus << " situations=" << o.situations
          << " replans=" << o.replans << " sharing=" << o.sharing << " competence=" << o.competence.model
          << "(" << o.competence.prior.successes << "," << o.competence.prior.failures << ","

@@ -34,13 +34,15 @@ class PracticeLoop {
     bool solves(const SimulatedEnvironment& environment, const PracticeTask& task, Random& random);
 
   private:
-    bool step(const Decision& decision);
+    void step(const Decision& decision);
+    void learn();
     int cycle_steps() const;
 
     World* world_;
     Learner learner_;
     std::unique_ptr<Method> method_;
     Moment now_;
+    std::int64_t learned_ = 0;  // transitions when the policies were learned last
 };
 
 struct PracticeHooks {

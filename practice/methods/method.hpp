@@ -31,7 +31,9 @@ class Method {
     /// What came of the last decision. In tests nothing may be learned from it.
     virtual void observe(const Moment& before, const Decision& decision, const Moment& after, bool success,
                          bool test) = 0;
-    /// A cycle ends; the learner has learned.
+    /// The learner has learned.
+    virtual void learned() {}
+    /// A cycle ends.
     virtual void end_cycle() {}
     /// The moments of choice since the last call.
     virtual std::vector<PracticeChoice> take_choices() { return {}; }
