@@ -12,16 +12,11 @@ class RandomSkillsMethod : public PlannedMethod {
     std::optional<Decision> practise(const Moment& now) override { return random_skill(now); }
 };
 
-/// Does the task again and again: back to what held at its beginning, then to its goal; with exploring
-/// parameters.
+/// Does the task again and again, there and back.
 class TaskRepeatMethod : public PlannedMethod {
   public:
     using PlannedMethod::PlannedMethod;
-    void begin_practice() override;
-    std::optional<Decision> practise(const Moment& now) override;
-
-  private:
-    bool back_ = true;
+    std::optional<Decision> practise(const Moment& now) override { return repeat_task(now); }
 };
 
 }  // namespace praxis::practice

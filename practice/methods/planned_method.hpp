@@ -17,16 +17,18 @@ class PlannedMethod : public Method {
 
     void begin_task(const Situation& situation, bool test) override;
     std::optional<Decision> pursue(const Moment& now, const std::vector<Fact>& goal, Random& random) override;
-    void begin_practice() override { practice_plan_.forget(); }
+    void begin_practice() override;
     void observe(const Moment& before, const Decision& decision, const Moment& after, bool success,
                  bool test) override;
 
   protected:
     /// A random skill of those that can be executed now, with parameters of the base sampler.
     std::optional<Decision> random_skill(const Moment& now) const;
+    /// The next skill of doing the task again and again, with exploring parameters: back to what held at its beginning, then to its
+    /// goal. A random skill where there is no plan.
+    std::optional<Decision> repeat_task(const Moment& now);
     /// The tasks over which plans are costed.
     std::vector<Situation> situations() const;
-    const Situation& task() const { return task_; }
 
     Learner* learner_;
     PlanFollower task_plan_;
@@ -35,6 +37,7 @@ class PlannedMethod : public Method {
   private:
     Situation task_;
     bool test_ = false;
+    bool back_ = true;  // `repeat_task` is on its way to the beginning
     std::vector<Situation> first_;
     std::deque<Situation> replans_;
 };

@@ -15,7 +15,7 @@
 namespace praxis::practice {
 
 struct PolicyOptions {
-    ClassifierOptions classifier;
+    ClassifierOptions classifier = {};
     int candidates = 100;
     /// How parameters are explored while practising: "epsilon-greedy" (random with probability `epsilon`,
     /// else the best), "uncertain" (the candidate that the classifier is least sure of with probability
