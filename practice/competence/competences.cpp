@@ -11,6 +11,7 @@ namespace praxis::practice {
 Competences::Competences(std::span<const std::int32_t> schemas, const CompetenceOptions& options,
                          bool sharing)
     : options_(options), sharing_(sharing) {
+    make_competence_model(options);
     std::int32_t count = 0;
     skills_.reserve(schemas.size());
     for (const std::int32_t schema : schemas) {
