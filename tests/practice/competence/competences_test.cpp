@@ -41,7 +41,7 @@ TEST(Competences, CountEverythingAndEstimateFromTheGreedyOutcomes) {
 
 TEST(Competences, ListTheTriedInTheOrderOfTheirFirstOutcome) {
     Competences competences(std::vector<std::int32_t>(5, 0), options_of("beta"), true);
-    for (const std::size_t skill : {3, 1, 3, 4}) competences.observe(skill, true);
+    for (const std::size_t skill : {3u, 1u, 3u, 4u}) competences.observe(skill, true);
     EXPECT_EQ(std::vector<std::size_t>(competences.tried().begin(), competences.tried().end()),
               (std::vector<std::size_t>{3, 1, 4}));
 }

@@ -57,7 +57,7 @@ Learner idle(Random& random) {
 class Learners : public testing::TestWithParam<Beta> {};
 
 TEST_P(Learners, LatentPredictsBestWhereThereIsGrowth) {
-    for (const std::size_t largest : {20, 60}) {
+    for (const std::size_t largest : {20u, 60u}) {
         const Errors beta = measure("beta", GetParam(), largest, improving);
         const Errors optimistic = measure("optimistic", GetParam(), largest, improving);
         const Errors latent = measure("latent", GetParam(), largest, improving);

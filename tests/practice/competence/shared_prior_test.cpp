@@ -149,7 +149,7 @@ void measure(const Beta& base, double strength, std::size_t siblings, Sharing& t
 TEST(SharedPrior, LowersTheErrorOfCompetences) {
     for (const Beta base : {Beta{10, 1}, Beta{1, 1}})
         for (const double strength : {2, 8, 30})
-            for (const std::size_t siblings : {2, 5, 20}) {
+            for (const std::size_t siblings : {2u, 5u, 20u}) {
                 Sharing tried, untried;
                 measure(base, strength, siblings, tried, untried);
                 std::printf(
