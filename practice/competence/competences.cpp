@@ -11,14 +11,15 @@ namespace praxis::practice {
 Competences::Competences(std::span<const std::int32_t> schemas, const CompetenceOptions& options,
                          bool sharing)
     : options_(options), sharing_(sharing) {
-    std::int32_t count = 0;
+    make_competence_model(options);
+    std::size_t count = 0;
     skills_.reserve(schemas.size());
     for (const std::int32_t schema : schemas) {
         if (schema < 0) throw std::invalid_argument("the number of a skill's schema must not be negative");
-        count = std::max(count, schema + 1);
+        count = std::max(count, static_cast<std::size_t>(schema) + 1);
         skills_.push_back({schema});
     }
-    schemas_.resize(static_cast<std::size_t>(count));
+    schemas_.resize(count);
     for (Schema& schema : schemas_) {
         schema.prior = options.prior;
         schema.untried = make_model(options.prior);

@@ -30,7 +30,7 @@ LearningCurve::LearningCurve(const CurveParameters& parameters) {
 
 double LearningCurve::mean(double x) const {
     const double left = std::exp(-rate_ * x);
-    return left * first_ + (1 - left) * last_;
+    return last_ - left * (last_ - first_);
 }
 
 double LearningCurve::mean(double x, CurveParameters& gradient) const {
@@ -38,7 +38,7 @@ double LearningCurve::mean(double x, CurveParameters& gradient) const {
     gradient[0] = left * first_by_start_ + (1 - left) * last_by_start_;
     gradient[1] = (1 - left) * last_by_growth_;
     gradient[2] = (last_ - first_) * left * x * rate_by_rate_;
-    return left * first_ + (1 - left) * last_;
+    return last_ - left * (last_ - first_);
 }
 
 }  // namespace praxis::practice

@@ -24,6 +24,7 @@ const std::vector<Entry>& entries() {
           "estimate, extrapolate, situate: the skill whose improvement makes the tasks' plans most likely to "
           "succeed"},
          make<EesMethod>},
+        {{"ees-published", "the same, as it was published"}, make<PublishedEesMethod>},
         {{"fail-focus", "the skill that fails most often"}, make<FailFocusMethod>},
         {{"competence-gradient", "the skill whose competence is expected to grow most"},
          make<CompetenceGradientMethod>},

@@ -13,9 +13,12 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+bool ScoredMethod::considers(SkillIndex skill) const {
+    return learner_->options().candidates == "all" || learner_->competences().tries(skill) > 0;
+}
+
 void ScoredMethod::choose() {
     const Competences& competences = learner_->competences();
-    const bool all = learner_->options().candidates == "all";
     ranking_.clear();
     double tries = 0;
     for (SkillIndex skill = 0; skill < learner_->skills().size(); ++skill) {
@@ -24,7 +27,7 @@ void ScoredMethod::choose() {
         candidate.tries = static_cast<int>(competences.tries(skill));
         candidate.successes = static_cast<int>(competences.successes(skill));
         tries += candidate.tries;
-        if (candidate.tries == 0 && !all) continue;
+        if (!considers(skill)) continue;
         candidate.competence = competences.competence(skill);
         candidate.predicted = learner_->predicted(skill);
         ranking_.push_back(candidate);
@@ -61,7 +64,7 @@ std::optional<Decision> ScoredMethod::practise(const Moment& now) {
     if (!recorded_) record();
     if (!skill) {
         chosen_ = false;
-        return random_skill(now);
+        return otherwise(now);
     }
     return learner_->decide(*skill, now.state, attempting_ ? Learner::Mode::explore : Learner::Mode::greedy,
                             learner_->random());

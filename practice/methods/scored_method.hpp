@@ -36,6 +36,10 @@ class ScoredMethod : public PlannedMethod {
   protected:
     /// Fills `score` of each candidate; minus infinity: not to be practised.
     virtual void score(std::span<Candidate> candidates) = 0;
+    /// Whether the skill is a candidate.
+    virtual bool considers(SkillIndex skill) const;
+    /// What to do where no candidate is worth it or can be reached.
+    virtual std::optional<Decision> otherwise(const Moment& now) { return random_skill(now); }
 
   private:
     void choose();
