@@ -31,7 +31,7 @@ constexpr const char* kDashes[] = {"", "7 4", "2 3", "9 3 2 3"};
 
 constexpr double kLeft = 58, kTop = 34, kBottom = 46, kLegend = 190, kLegendLine = 18, kMargin = 14;
 constexpr double kLargest = 1e100;        ///< of a point's numbers
-constexpr std::size_t kLongestName = 24;  ///< characters of a name that the legend has room for
+constexpr std::size_t kLongestName = 22;  ///< characters of a name that the legend has room for
 
 std::string place(double value) {
     return fixed(value, 1);

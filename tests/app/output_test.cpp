@@ -2,7 +2,6 @@
 #include "app/output.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "tests/app/process.hpp"
 
@@ -44,19 +43,7 @@ TEST(PlanFiles, NoNameNoFile) {
     EXPECT_NO_THROW(files.write("text"));
 }
 
-TEST(WriteFile, ReplacesOnlyWholeFiles) {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("file", "old and longer than the new one");
-    app::write_file(file, "new");
-    EXPECT_EQ(read_file(file), "new");
-    EXPECT_EQ(folder.names(), (Names{"file"}));
-    EXPECT_THROW(app::write_file(folder / "missing/file", "text"), app::OutputError);
-    ASSERT_EQ(::mkdir((folder / "folder").c_str(), 0755), 0);
-    EXPECT_THROW(app::write_file(folder / "folder", "text"), app::OutputError);
-    EXPECT_EQ(folder.names(), (Names{"file", "folder"}));
-}
-
-TEST(WriteFile, SaysWhatIsTheSameFile) {
+TEST(SameFile, KnowsAFileByAnyOfItsNames) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "");
     EXPECT_TRUE(app::same_file(file, folder / "./file"));

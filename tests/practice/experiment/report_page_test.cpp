@@ -158,7 +158,7 @@ TEST(ReportData, TellsTheFirstChoiceOfEachCycle) {
 
 TEST(ReportData, LeavesOutWhatIsTooMuchAndSaysSo) {
     std::vector<RunResult> runs;
-    for (const std::uint64_t seed : {9, 3, 7}) runs.push_back(example_run("row", "ees", seed, 40, 50));
+    for (const std::uint64_t seed : {9u, 3u, 7u}) runs.push_back(example_run("row", "ees", seed, 40, 50));
     runs[1].choices[0].chosen = "(place ring table30)";
     ReportOptions options;
     options.cycles_shown = 5;

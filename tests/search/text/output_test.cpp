@@ -58,9 +58,12 @@ TEST_F(Output, NamesTheFileThatCannotBeWritten) {
     }
 }
 
-TEST_F(Output, ADirectoryIsNotReplaced) {
-    EXPECT_THROW(write_file(folder_.string(), "text"), OutputError);
-    EXPECT_TRUE(fs::is_directory(folder_));
+TEST_F(Output, ADirectoryIsNotReplacedAndNothingIsLeftBesideIt) {
+    const fs::path inner = folder_ / "inner";
+    fs::create_directory(inner);
+    EXPECT_THROW(write_file(inner.string(), "text"), OutputError);
+    EXPECT_TRUE(fs::is_directory(inner));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
 }  // namespace
