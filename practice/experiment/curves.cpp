@@ -20,8 +20,8 @@ void check_curve(const Curve& curve) {
     if (curve.points.empty()) refuse(curve, "has no evaluation");
     const CurvePoint* before = nullptr;
     for (const CurvePoint& point : curve.points) {
-        if (point.cycle < 0 || (before && point.cycle <= before->cycle))
-            refuse(curve, "has cycles that do not rise");
+        if (point.cycle < 0 || (before && point.cycle < before->cycle))
+            refuse(curve, "has cycles that fall");
         if (point.transitions < 0 || (before && point.transitions < before->transitions))
             refuse(curve, "has transitions that fall");
         if (!(point.solved >= 0 && point.solved <= 1)) refuse(curve, "has fractions outside of 0 to 1");

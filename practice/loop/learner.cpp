@@ -22,6 +22,7 @@ Learner::Learner(const Environment& environment, const PracticeOptions& options)
     : options_(options),
       skills_(environment),
       planner_(skills_, options.planner),
+      test_planner_(skills_, options.planner),
       competences_(schemas_of(skills_), options.competence, options.sharing),
       random_(random_stream(options.seed, kLearning)) {
     for (const SkillSchema& schema : environment.description().schemas) {

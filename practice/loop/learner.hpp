@@ -39,6 +39,8 @@ class Learner {
     const SkillTask& skills() const { return skills_; }
     const Competences& competences() const { return competences_; }
     CostPlanner& planner() { return planner_; }
+    /// Another planner for tests, so that nothing that they plan changes which of equal plans practice finds.
+    CostPlanner& test_planner() { return test_planner_; }
     Random& random() { return random_; }
 
     /// By skill, the cost of the present competence.
@@ -64,6 +66,7 @@ class Learner {
     PracticeOptions options_;
     SkillTask skills_;
     CostPlanner planner_;
+    CostPlanner test_planner_;
     Competences competences_;
     std::vector<std::optional<ParameterPolicy>> policies_;  // by schema; none where there are no parameters
     std::vector<Cost> costs_;

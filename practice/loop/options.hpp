@@ -15,9 +15,12 @@ struct PracticeOptions {
     std::uint64_t seed = 0;
     int cycles = 10;
     int cycle_steps = 0;  ///< skills a cycle; 0: what the environment says
-    /// Skills after which the parameter policies are learned anew, also within a cycle; 0: at the end of each cycle only.
+    /// Skills after which the parameter policies are learned anew, also within a cycle; 0: at the end of each
+    /// cycle only.
     int learn_every = 0;
     int test_tasks = 100;
+    /// Skills after which the robot is tested, if it has learned since the last test; 0: after each cycle.
+    int test_every = 0;
     /// Each cycle begins with a task and its initial state; otherwise the world stays as it was left.
     bool reset = true;
     /// Which skills may be practised: those "tried" at least once, or "all".

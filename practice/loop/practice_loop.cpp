@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint64_t kTestTasks = 4, kTests = 5;
 
 void check(const PracticeOptions& options) {
-    if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.test_tasks < 0 || options.situations < 1 ||
-        options.replans < 0 || !(options.bonus >= 0))
+    if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.test_tasks < 0 ||
+        options.test_every < 0 || options.situations < 1 || options.replans < 0 || !(options.bonus >= 0))
         throw std::invalid_argument(
             "cycles, steps, tasks and the bonus must not be negative, and there must be one situation at "
             "least");
@@ -37,23 +37,24 @@ int PracticeLoop::cycle_steps() const {
     return steps > 0 ? steps : learner_.skills().environment().description().cycle_steps;
 }
 
-void PracticeLoop::step(const Decision& decision) {
+void PracticeLoop::step(const Decision& decision, const std::function<void()>& on_learned) {
     world_->execute(learner_.skills().skill(decision.skill), decision.parameters);
     Moment after = learner_.moment(world_->observe());
     const bool success = learner_.observe(now_, decision, after);
     method_->observe(now_, decision, after, success, false);
     now_ = std::move(after);
     const int interval = learner_.options().learn_every;
-    if (interval > 0 && learner_.transitions() - learned_ >= interval) learn();
+    if (interval > 0 && learner_.transitions() - learned_ >= interval) learn(on_learned);
 }
 
-void PracticeLoop::learn() {
+void PracticeLoop::learn(const std::function<void()>& on_learned) {
     learned_ = learner_.transitions();
     learner_.learn();
     method_->learned();
+    if (on_learned) on_learned();
 }
 
-bool PracticeLoop::run_cycle(std::stop_token stop) {
+bool PracticeLoop::run_cycle(std::stop_token stop, const std::function<void()>& on_learned) {
     const SkillTask& skills = learner_.skills();
     const std::vector<Fact> goal = skills.goal(world_->next_task());
     now_ = learner_.moment(world_->observe());
@@ -62,18 +63,18 @@ bool PracticeLoop::run_cycle(std::stop_token stop) {
     const auto more = [&] { return learner_.transitions() < end && !stop.stop_requested(); };
     for (int i = 0; i < skills.environment().description().horizon && more(); ++i) {
         if (all_hold(goal, now_.values.data())) break;
-        const std::optional<Decision> decision = method_->pursue(now_, goal, learner_.random());
+        const std::optional<Decision> decision = method_->pursue(now_, goal, learner_.random(), false);
         if (!decision) break;
-        step(*decision);
+        step(*decision, on_learned);
     }
     method_->begin_practice();
     while (more()) {
         const std::optional<Decision> decision = method_->practise(now_);
         if (!decision) return false;
-        step(*decision);
+        step(*decision, on_learned);
     }
     if (stop.stop_requested()) return false;
-    if (learned_ < learner_.transitions()) learn();
+    if (learned_ < learner_.transitions()) learn(on_learned);
     method_->end_cycle();
     return true;
 }
@@ -85,7 +86,7 @@ bool PracticeLoop::solves(const SimulatedEnvironment& environment, const Practic
     method_->begin_task({now.values, goal}, true);
     for (int i = 0; i < environment.description().horizon; ++i) {
         if (all_hold(goal, now.values.data())) return true;
-        const std::optional<Decision> decision = method_->pursue(now, goal, random);
+        const std::optional<Decision> decision = method_->pursue(now, goal, random, true);
         if (!decision) return false;
         Moment after{now.state, {}};
         environment.execute(after.state, skills.skill(decision->skill), decision->parameters, random);
@@ -119,25 +120,36 @@ RunResult run_practice(const SimulatedEnvironment& environment, const PracticeOp
         Random random = random_stream(options.seed, kTestTasks, static_cast<std::uint64_t>(i));
         tests.push_back(environment.sample_task(random));
     }
-    for (int cycle = 0;; ++cycle) {
+    int cycle = 0;
+    const auto test = [&] {
         const double practised = thread_seconds();
         result.processor_seconds += practised - start;
+        const std::int64_t transitions = loop.learner().transitions();
         int solved = 0;
         for (std::size_t i = 0; i < tests.size(); ++i) {
-            Random random =
-                random_stream(options.seed, kTests, (static_cast<std::uint64_t>(cycle) << 32) + i);
+            Random random = random_stream(random_stream(options.seed, kTests, i).next(), kTests,
+                                          static_cast<std::uint64_t>(transitions));
             solved += loop.solves(environment, tests[i], random);
         }
+        result.curve.push_back(
+            {cycle, transitions,
+             tests.empty() ? 0 : static_cast<double>(solved) / static_cast<double>(tests.size())});
         start = thread_seconds();
         result.evaluation_seconds += start - practised;
-        result.curve.push_back(
-            {cycle, loop.learner().transitions(),
-             tests.empty() ? 0 : static_cast<double>(solved) / static_cast<double>(tests.size())});
-        if (hooks.on_cycle) hooks.on_cycle(result);
-        if (cycle == options.cycles || !loop.run_cycle(hooks.stop)) break;
+        if (hooks.on_test) hooks.on_test(result);
+    };
+    const auto test_if_due = [&] {
+        if (loop.learner().transitions() - result.curve.back().transitions >= options.test_every) test();
+    };
+    test();
+    for (cycle = 1; cycle <= options.cycles; ++cycle) {
+        if (!loop.run_cycle(hooks.stop,
+                            options.test_every > 0 ? std::function<void()>(test_if_due) : nullptr))
+            break;
         for (PracticeChoice& choice : loop.method().take_choices())
             result.choices.push_back(std::move(choice));
         if (journal) journal->sync();
+        if (result.curve.back().transitions < loop.learner().transitions()) test();
     }
     return result;
 }
@@ -146,7 +158,8 @@ std::string settings_text(const Environment& environment, const PracticeOptions&
     std::ostringstream text;
     text.precision(17);
     text << environment.description().name << " method=" << o.method << " seed=" << o.seed
-         << " cycle_steps=" << o.cycle_steps << " learn_every=" << o.learn_every << " test_tasks=" << o.test_tasks << " reset=" << o.reset
+         << " cycle_steps=" << o.cycle_steps << " learn_every=" << o.learn_every
+         << " test_tasks=" << o.test_tasks << " test_every=" << o.test_every << " reset=" << o.reset
          << " candidates=" << o.candidates << " bonus=" << o.bonus << " situations=" << o.situations
          << " replans=" << o.replans << " sharing=" << o.sharing << " competence=" << o.competence.model
          << "(" << o.competence.prior.successes << "," << o.competence.prior.failures << ","

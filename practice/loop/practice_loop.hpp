@@ -24,8 +24,9 @@ class PracticeLoop {
     /// `environment` and `world` must outlive this. Throws std::invalid_argument for wrong options.
     PracticeLoop(const Environment& environment, World& world, const PracticeOptions& options);
 
-    /// One cycle. False: it was stopped, or nothing can be executed any more.
-    bool run_cycle(std::stop_token stop = {});
+    /// One cycle. False: it was stopped, or nothing can be executed any more. `on_learned` is called each
+    /// time the policies have been learned.
+    bool run_cycle(std::stop_token stop = {}, const std::function<void()>& on_learned = {});
 
     const Learner& learner() const { return learner_; }
     Method& method() { return *method_; }
@@ -34,8 +35,8 @@ class PracticeLoop {
     bool solves(const SimulatedEnvironment& environment, const PracticeTask& task, Random& random);
 
   private:
-    void step(const Decision& decision);
-    void learn();
+    void step(const Decision& decision, const std::function<void()>& on_learned);
+    void learn(const std::function<void()>& on_learned);
     int cycle_steps() const;
 
     World* world_;
@@ -46,8 +47,8 @@ class PracticeLoop {
 };
 
 struct PracticeHooks {
-    /// After each cycle and its test (cycle 0: the test before any practice).
-    std::function<void(const RunResult&)> on_cycle;
+    /// After each test (the first: before any practice).
+    std::function<void(const RunResult&)> on_test;
     std::stop_token stop;
 };
 

@@ -2,15 +2,16 @@
 // succeed.
 //
 // The score of a skill is minus the mean cost of the cheapest plans for the tasks seen, if the skill had the
-// competence that more practice is expected to bring, plus the upper-confidence bonus. Kumar et al., "Practice
-// Makes Perfect", RSS 2024.
+// competence that more practice is expected to bring, plus the upper-confidence bonus. Kumar et al.,
+// "Practice Makes Perfect", RSS 2024.
 #pragma once
 
 #include "practice/methods/scored_method.hpp"
 
 namespace praxis::practice {
 
-/// As published: candidates are the skills tried, those that never failed are left out; where none is left, a random skill is executed.
+/// As published: candidates are the skills tried, those that never failed are left out; where none is left, a
+/// random skill is executed.
 class PublishedEesMethod : public ScoredMethod {
   public:
     using ScoredMethod::ScoredMethod;
@@ -23,9 +24,9 @@ class PublishedEesMethod : public ScoredMethod {
     void score(std::span<Candidate> candidates) override;
 };
 
-/// The same, but nothing is practised from which no gain is expected: skills without parameters, and those whose improvement
-/// makes no task's plan cheaper. Skills may be practised before a task has tried them. Where no candidate is
-/// left, the task is done again and again, which shows what fails.
+/// The same, but nothing is practised from which no gain is expected: skills without parameters, and those
+/// whose improvement makes no task's plan cheaper. Skills may be practised before a task has tried them.
+/// Where no candidate is left, the task is done again and again, which shows what fails.
 class EesMethod : public PublishedEesMethod {
   public:
     using PublishedEesMethod::PublishedEesMethod;

@@ -1,7 +1,8 @@
 // What to do in free time: the methods that are compared, all on one learner.
 //
 // In *task time* the robot pursues the goal it was given; in *free time* it practises. A method decides what
-// is executed next in both, and in tests.
+// is executed next in both, and in tests. Tests may come at any time, and must leave no trace in what is
+// practised.
 #pragma once
 
 #include <memory>
@@ -22,8 +23,8 @@ class Method {
     /// A task begins, in task time or in a test.
     virtual void begin_task(const Situation& situation, bool test) = 0;
     /// The next skill towards the goal; none: there is nothing to be done.
-    virtual std::optional<Decision> pursue(const Moment& now, const std::vector<Fact>& goal,
-                                           Random& random) = 0;
+    virtual std::optional<Decision> pursue(const Moment& now, const std::vector<Fact>& goal, Random& random,
+                                           bool test) = 0;
     /// Free time begins.
     virtual void begin_practice() = 0;
     /// The next skill in free time; none: nothing can be executed at all.

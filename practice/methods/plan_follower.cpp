@@ -15,7 +15,7 @@ std::optional<SkillIndex> PlanFollower::next(const std::vector<std::int32_t>& va
         goal_ = goal;
         place_ = 0;
         plan_.clear();
-        std::optional<SkillPlan> plan = learner_->planner().plan({values, goal}, learner_->costs());
+        std::optional<SkillPlan> plan = planner_->plan({values, goal}, learner_->costs());
         valid_ = plan.has_value();
         if (!plan) return std::nullopt;
         plan_ = std::move(plan->skills);

@@ -10,7 +10,7 @@ namespace praxis::practice {
 
 class PlanFollower {
   public:
-    explicit PlanFollower(Learner& learner) : learner_(&learner) {}
+    PlanFollower(const Learner& learner, CostPlanner& planner) : learner_(&learner), planner_(&planner) {}
 
     /// The next skill of a plan to `goal`; none: there is no plan, or the goal holds.
     std::optional<SkillIndex> next(const std::vector<std::int32_t>& values, const std::vector<Fact>& goal);
@@ -25,7 +25,8 @@ class PlanFollower {
     bool replanned() const { return replanned_; }
 
   private:
-    Learner* learner_;
+    const Learner* learner_;
+    CostPlanner* planner_;
     std::vector<Fact> goal_;
     std::vector<SkillIndex> plan_;
     std::size_t place_ = 0;

@@ -3,9 +3,11 @@
 namespace praxis::practice {
 
 void PlannedMethod::begin_task(const Situation& situation, bool test) {
+    if (test) {
+        test_plan_.forget();
+        return;
+    }
     task_plan_.forget();
-    test_ = test;
-    if (test) return;
     task_ = situation;
     if (first_.size() < static_cast<std::size_t>(learner_->options().situations)) first_.push_back(situation);
 }
@@ -16,9 +18,10 @@ void PlannedMethod::begin_practice() {
 }
 
 std::optional<Decision> PlannedMethod::pursue(const Moment& now, const std::vector<Fact>& goal,
-                                              Random& random) {
-    const std::optional<SkillIndex> skill = task_plan_.next(now.values, goal);
-    if (task_plan_.replanned() && !test_) {
+                                              Random& random, bool test) {
+    PlanFollower& plan = test ? test_plan_ : task_plan_;
+    const std::optional<SkillIndex> skill = plan.next(now.values, goal);
+    if (plan.replanned() && !test) {
         replans_.push_back({now.values, goal});
         if (replans_.size() > static_cast<std::size_t>(learner_->options().replans)) replans_.pop_front();
     }
@@ -26,7 +29,11 @@ std::optional<Decision> PlannedMethod::pursue(const Moment& now, const std::vect
     return learner_->decide(*skill, now.state, Learner::Mode::greedy, random);
 }
 
-void PlannedMethod::observe(const Moment&, const Decision&, const Moment&, bool success, bool) {
+void PlannedMethod::observe(const Moment&, const Decision&, const Moment&, bool success, bool test) {
+    if (test) {
+        test_plan_.observe(success);
+        return;
+    }
     task_plan_.observe(success);
     practice_plan_.observe(success);
 }
