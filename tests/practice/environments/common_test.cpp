@@ -157,8 +157,8 @@ TEST_P(EveryEnvironment, RefusesWhatDoesNotFit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Environments, EveryEnvironment,
-                         testing::Values("light-switch(cells=8)", "ball-ring",
-                                         "ball-ring(features=relative)"),
+                         testing::Values("light-switch(cells=8)", "ball-ring", "ball-ring(features=relative)",
+                                         "kitchen", "playroom"),
                          [](const auto& environment) {
                              std::string name = environment.param;
                              std::replace_if(
