@@ -7,9 +7,9 @@
 // Success models (see stated_environment.hpp); handles, spreads and stiffness are drawn uniformly in [-1, 1]:
 //
 //     skill          parameters          optimum                                tolerance
-//     pick           grip, lift          handle of the thing, its weight        0.75
+//     pick           grip, lift          handle of the thing, its weight        0.80
 //     place          tilt, height        half of its handle, level of the place 0.75   (onto the floor:
-//     certain) sweep          direction, force    spread of the heap, its coarseness     0.60 open-,
+//     certain) sweep          direction, force    spread of the heap, its coarseness     0.70 open-,
 //     close-drawer  pull, height  stiffness of the drawer, 0.4           0.60 switch-lamp-on, -off  force,
 //     angle  does not matter: 0.3 always
 //
