@@ -1,8 +1,8 @@
 ; A robot with one hand puts dishes where they belong and sweeps crumbs into the bin that it pulls along.
 ;
-; As skills: going and tipping crumbs out of the bin again always succeed; pick, place and sweep succeed with a
-; probability that depends on their parameters. No task needs the drawer or the lamp: the drawer can be learned,
-; the lamp has a loose contact and cannot.
+; As skills: going and tipping crumbs out of the bin again always succeed; pick, place and sweep succeed with
+; a probability that depends on their parameters. No task needs the drawer or the lamp: the drawer can be
+; learned, the lamp has a loose contact and cannot.
 (define (domain kitchen)
   (:requirements :typing :equality)
 

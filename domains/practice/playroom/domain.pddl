@@ -1,5 +1,5 @@
-; A robot sweeps toys into a bin. Before it can, the toys have to lie in the corner, the bin has to stand there,
-; the chair has to be out of the way, and the sweeper is in a closet: ten skills and more.
+; A robot sweeps toys into a bin. Before it can, the toys have to lie in the corner, the bin has to stand
+; there, the chair has to be out of the way, and the sweeper is in a closet: ten skills and more.
 ;
 ; As skills: going, putting, closing and whatever is done with the bin and the sweeper alone always succeed;
 ; picking toys, opening the closet, pulling the chair, dumping and sweeping depend on their parameters.
