@@ -216,11 +216,13 @@ Description describe(BallRing::Features features) {
 }  // namespace
 
 BallRing::BallRing(Features features)
-    : CheckedEnvironment(
-          describe(features),
-          {{1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0}},
-          number_count),
-      features_(features) {}
+    : CheckedEnvironment(describe(features), signatures(), number_count), features_(features) {}
+
+CheckedEnvironment::Signatures BallRing::signatures() {
+    const std::vector<Range> table = {{0, kTables - 1}};
+    return {{table, {}, {}, {}, {}, {}, table, {}, {}, {}, table, {}},
+            {table, {}, {}, table, {}, table, table, {}, {}, table, {}, table, {}, table, {}, {}}};
+}
 
 PracticeTask BallRing::sample_task(Random& random) const {
     State s(number_count, 0);

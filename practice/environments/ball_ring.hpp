@@ -38,6 +38,8 @@ class BallRing final : public CheckedEnvironment {
                         std::span<double> features) const override;
 
   private:
+    static Signatures signatures();
+
     Features features_;
 };
 

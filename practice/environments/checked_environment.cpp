@@ -13,19 +13,20 @@ namespace {
     throw std::invalid_argument("environment '" + environment + "': " + what);
 }
 
-bool known_objects(const std::vector<std::int32_t>& objects, std::size_t arity, std::size_t object_count) {
-    return objects.size() == arity && std::all_of(objects.begin(), objects.end(), [&](std::int32_t object) {
-               return object >= 0 && static_cast<std::size_t>(object) < object_count;
-           });
+template <class Range>
+bool fits(const std::vector<std::int32_t>& objects, const std::vector<Range>& signature) {
+    return std::equal(
+        objects.begin(), objects.end(), signature.begin(), signature.end(),
+        [](std::int32_t object, Range range) { return object >= range.first && object <= range.last; });
 }
 
 }  // namespace
 
-CheckedEnvironment::CheckedEnvironment(Description description, Arities arities, std::size_t state_size)
-    : description_(std::move(description)), arities_(std::move(arities)), state_size_(state_size) {
-    if (arities_.predicates.size() != description_.predicates.size() ||
-        arities_.schemas.size() != description_.schemas.size())
-        refuse(description_.name, "each predicate and each schema needs its number of objects");
+CheckedEnvironment::CheckedEnvironment(Description description, Signatures signatures, std::size_t state_size)
+    : description_(std::move(description)), signatures_(std::move(signatures)), state_size_(state_size) {
+    if (signatures_.predicates.size() != description_.predicates.size() ||
+        signatures_.schemas.size() != description_.schemas.size())
+        refuse(description_.name, "each predicate and each schema needs its signature");
 }
 
 void CheckedEnvironment::check(const State& state) const {
@@ -39,9 +40,10 @@ const SkillSchema& CheckedEnvironment::checked_schema(const State& state, const 
     const auto schema = static_cast<std::size_t>(skill.schema);
     if (skill.schema < 0 || schema >= description_.schemas.size())
         refuse(description_.name, "there is no skill schema number " + std::to_string(skill.schema));
-    if (!known_objects(skill.objects, arities_.schemas[schema], description_.objects.size()))
+    if (!fits(skill.objects, signatures_.schemas[schema]))
         refuse(description_.name, "skill '" + description_.schemas[schema].name + "' takes " +
-                                      std::to_string(arities_.schemas[schema]) + " known objects");
+                                      std::to_string(signatures_.schemas[schema].size()) +
+                                      " objects of its types");
     return description_.schemas[schema];
 }
 
@@ -50,9 +52,10 @@ bool CheckedEnvironment::holds(const State& state, const GroundAtom& atom) const
     const auto predicate = static_cast<std::size_t>(atom.predicate);
     if (atom.predicate < 0 || predicate >= description_.predicates.size())
         refuse(description_.name, "there is no predicate number " + std::to_string(atom.predicate));
-    if (!known_objects(atom.objects, arities_.predicates[predicate], description_.objects.size()))
+    if (!fits(atom.objects, signatures_.predicates[predicate]))
         refuse(description_.name, "predicate '" + description_.predicates[predicate] + "' takes " +
-                                      std::to_string(arities_.predicates[predicate]) + " known objects");
+                                      std::to_string(signatures_.predicates[predicate].size()) +
+                                      " objects of its types");
     return atom_holds(state, atom);
 }
 

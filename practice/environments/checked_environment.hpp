@@ -24,12 +24,17 @@ class CheckedEnvironment : public SimulatedEnvironment {
                  Random& random) const final;
 
   protected:
-    /// How many objects the predicates and the schemas take, in their order in the description.
-    struct Arities {
-        std::vector<std::size_t> predicates;
-        std::vector<std::size_t> schemas;
+    /// The objects of one type: numbers first to last of the description.
+    struct Range {
+        std::int32_t first = 0;
+        std::int32_t last = 0;
     };
-    CheckedEnvironment(Description description, Arities arities, std::size_t state_size);
+    /// What the predicates and the schemas take, in their order in the description.
+    struct Signatures {
+        std::vector<std::vector<Range>> predicates;
+        std::vector<std::vector<Range>> schemas;
+    };
+    CheckedEnvironment(Description description, Signatures signatures, std::size_t state_size);
 
     virtual bool atom_holds(const State& state, const GroundAtom& atom) const = 0;
     /// Whether the precondition of the skill holds.
@@ -49,7 +54,7 @@ class CheckedEnvironment : public SimulatedEnvironment {
     const SkillSchema& checked_schema(const State& state, const GroundSkill& skill) const;
 
     Description description_;
-    Arities arities_;
+    Signatures signatures_;
     std::size_t state_size_;
 };
 

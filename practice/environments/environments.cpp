@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "practice/environments/ball_ring.hpp"
+#include "practice/environments/kitchen.hpp"
 #include "practice/environments/light_switch.hpp"
+#include "practice/environments/playroom.hpp"
 #include "search/engines/syntax.hpp"
 
 namespace praxis::practice {
@@ -34,9 +36,16 @@ std::unique_ptr<SimulatedEnvironment> make_ball_ring(const std::string& value) {
     return nullptr;
 }
 
+template <class T>
+std::unique_ptr<SimulatedEnvironment> make(const std::string&) {
+    return std::make_unique<T>();
+}
+
 constexpr Entry kEntries[] = {
     {"light-switch", "cells", "a number from 3 to 10000", "100", make_light_switch},
     {"ball-ring", "features", "'raw' or 'relative'", "raw", make_ball_ring},
+    {"kitchen", "", "", "", make<Kitchen>},
+    {"playroom", "", "", "", make<Playroom>},
 };
 
 [[noreturn]] void unknown_name(const std::string& name) {

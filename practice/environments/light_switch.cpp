@@ -59,7 +59,12 @@ Description describe(int cells) {
 }  // namespace
 
 LightSwitch::LightSwitch(int cells)
-    : CheckedEnvironment(describe(cells), {{1, 0, 0}, {2, 1, 1, 3}}, number_count), last_cell_(cells - 1) {}
+    : CheckedEnvironment(describe(cells), signatures(cells - 1), number_count), last_cell_(cells - 1) {}
+
+CheckedEnvironment::Signatures LightSwitch::signatures(std::int32_t last_cell) {
+    const Range any{0, last_cell};
+    return {{{any}, {}, {}}, {{any, any}, {any}, {any}, {any, any, any}}};
+}
 
 PracticeTask LightSwitch::sample_task(Random& random) const {
     return {{0, 0, uniform(random, 0.5, 1)}, {{light_on, {}}}};

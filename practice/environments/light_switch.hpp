@@ -9,8 +9,6 @@
 // Source: the environment "Light Switch" of Kumar et al., RSS 2024 (their code calls it grid_row).
 #pragma once
 
-#include <memory>
-
 #include "practice/environments/checked_environment.hpp"
 
 namespace praxis::practice {
@@ -32,6 +30,8 @@ class LightSwitch final : public CheckedEnvironment {
                         std::span<double> features) const override;
 
   private:
+    static Signatures signatures(std::int32_t last_cell);
+
     std::int32_t last_cell_;
 };
 

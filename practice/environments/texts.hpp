@@ -6,5 +6,9 @@ namespace praxis::practice::texts {
 extern const char* const kLightSwitchDomain;
 extern const char* const kBallRingDomain;
 extern const char* const kBallRingProblem;
+extern const char* const kKitchenDomain;
+extern const char* const kKitchenProblem;
+extern const char* const kPlayroomDomain;
+extern const char* const kPlayroomProblem;
 
 }  // namespace praxis::practice::texts

@@ -1,8 +1,9 @@
 ; A ball has to lie on a table. It rolls off every table, unless it lies in a ring.
 ;
-; As skills: navigating, picking and whatever goes to the floor or into the ring always succeed. The ball never
-; stays on a bare table, whatever place-ball-on-table promises. A ring stays on a plain table everywhere and on
-; the smooth one only where the table is sticky: where to put it is the parameter of place-ring-on-table.
+; As skills: navigating, picking and whatever goes to the floor or into the ring always succeed. The ball
+; never stays on a bare table, whatever place-ball-on-table promises. A ring stays on a plain table everywhere
+; and on the smooth one only where the table is sticky: where to put it is the parameter of place-ring-on-
+; table.
 (define (domain ball-ring)
   (:requirements :typing :conditional-effects)
 

@@ -148,6 +148,14 @@ std::optional<std::int64_t> AbstractTask::distance(const PracticeTask& task,
     return outcome.cost;
 }
 
+std::optional<std::int64_t> AbstractTask::steps_before(const State& from, std::size_t skill) const {
+    const std::span<const Fact> goal = ground_->preconditions[skill];
+    const Outcome outcome = search(*prepared_, {values(from).value(), {goal.begin(), goal.end()}},
+                                   configuration("astar(lmcut())"));
+    if (!outcome.plan) return std::nullopt;
+    return outcome.cost;
+}
+
 std::vector<Fact> AbstractTask::facts(const std::vector<GroundAtom>& atoms) const {
     std::vector<Fact> result;
     for (std::size_t v = 0; v < ground_->variable_count(); ++v)
@@ -167,6 +175,31 @@ std::vector<std::size_t> AbstractTask::plan(const Values& from, std::span<const 
     if (outcome.plan)
         for (const OperatorId id : *outcome.plan) steps.push_back(id.index());
     return steps;
+}
+
+bool AbstractTask::solves(const PracticeTask& task, const Choice& parameters, Random& random) const {
+    const std::vector<Fact> goal = facts(task.goal);
+    State state = task.initial;
+    std::vector<OperatorId> steps;
+    std::size_t next = 0;
+    for (int step = 0; step < environment_.description().horizon && !reached(state, task.goal); ++step) {
+        const Values before = values(state).value();
+        if (next == steps.size()) {
+            steps = search(*prepared_, {before, goal}, configuration("astar(lmcut())")).plan.value();
+            next = 0;
+        }
+        const std::size_t skill = steps[next++].index();
+        environment_.execute(state, skills_[skill], parameters(state, skill), random);
+        if (values(state) != successor(before, skill)) next = steps.size();
+    }
+    return reached(state, task.goal);
+}
+
+double AbstractTask::solved_share(int count, const Choice& parameters, Random& random) const {
+    int solved = 0;
+    for (int i = 0; i < count; ++i)
+        solved += solves(environment_.sample_task(random), parameters, random) ? 1 : 0;
+    return static_cast<double>(solved) / count;
 }
 
 void AbstractTask::expect_practice_goes_on(const State& from) const {

@@ -45,8 +45,16 @@ class AbstractTask {
     /// The length of a shortest plan that does without the schemas named; none if there is no plan.
     std::optional<std::int64_t> distance(const PracticeTask& task,
                                          const std::vector<std::string>& without = {}) const;
+    /// The length of a shortest plan to the precondition of a skill; none if there is none.
+    std::optional<std::int64_t> steps_before(const State& from, std::size_t skill) const;
     /// Some plan; empty if there is none.
     std::vector<std::size_t> plan(const Values& from, std::span<const Fact> goal) const;
+    using Choice = std::function<std::vector<double>(const State& state, std::size_t skill)>;
+    /// Executes shortest plans, the next one where a skill did not do what PDDL promises; whether the goal is
+    /// reached within the horizon.
+    bool solves(const PracticeTask& task, const Choice& parameters, Random& random) const;
+    /// The share of `count` tasks that are solved.
+    double solved_share(int count, const Choice& parameters, Random& random) const;
     /// Fails for ground skills to whose precondition PDDL knows no way.
     void expect_practice_goes_on(const State& from) const;
     std::vector<Fact> facts(const std::vector<GroundAtom>& atoms) const;

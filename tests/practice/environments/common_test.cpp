@@ -157,8 +157,8 @@ TEST_P(EveryEnvironment, RefusesWhatDoesNotFit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Environments, EveryEnvironment,
-                         testing::Values("light-switch(cells=8)", "ball-ring",
-                                         "ball-ring(features=relative)"),
+                         testing::Values("light-switch(cells=8)", "ball-ring", "ball-ring(features=relative)",
+                                         "kitchen", "playroom"),
                          [](const auto& environment) {
                              std::string name = environment.param;
                              std::replace_if(
@@ -172,9 +172,10 @@ TEST(Environments, AreMadeByName) {
     for (const std::string& name : environment_names())
         EXPECT_EQ(make_environment(name)->description().name, name);
     EXPECT_EQ(make_environment("light-switch(12)")->description().horizon, 14);
-    for (const char* wrong : {"", "light", "ball-rings", "light-switch(cells=2)", "light-switch(cells=1e9)",
-                              "light-switch(cells=x)", "light-switch(rows=5)", "ball-ring(features=all)",
-                              "ball-ring(raw,raw)", "ball-ring(", "ball-ring([raw])"})
+    for (const char* wrong :
+         {"", "light", "ball-rings", "light-switch(cells=2)", "light-switch(cells=1e9)",
+          "light-switch(cells=x)", "light-switch(rows=5)", "kitchen(5)", "ball-ring(features=all)",
+          "ball-ring(raw,raw)", "ball-ring(", "ball-ring([raw])"})
         EXPECT_THROW(make_environment(wrong), std::invalid_argument) << wrong;
 }
 

@@ -2,6 +2,7 @@
 #include <iterator>
 
 #include "parser/parser.hpp"
+#include "parser/write.hpp"
 #include "practice/environments/light_switch.hpp"
 #include "tests/practice/environments/abstract_task.hpp"
 
@@ -75,8 +76,7 @@ TEST(LightSwitch, PosesTheProblemThatIsPublished) {
     const LightSwitch environment(10);
     const Description& description = environment.description();
     const Task made = parse_task({"domain", description.domain}, {"problem", description.problem}).task;
-    EXPECT_EQ(made->problem_name, published->problem_name);
-    EXPECT_EQ(made->objects.size(), published->objects.size());
+    EXPECT_EQ(write_problem(*made), write_problem(*published));
     std::ifstream text(domain);
     EXPECT_EQ(description.domain, std::string(std::istreambuf_iterator<char>(text), {}));
 }
