@@ -24,7 +24,7 @@
 namespace praxis::practice {
 
 struct CompetenceOptions {
-    std::string model = "optimistic";
+    std::string model = "latent";
     Beta prior{10, 1};   ///< before any outcome: an optimist's 0.909; the thesis's is {1, 1}
     int window = 5;      ///< optimistic: cycles that the competence now looks at
     int recency = 5;     ///< optimistic: cycles that the extrapolation looks at

@@ -40,9 +40,8 @@ struct RunResult {
     std::string environment, method;
     std::uint64_t seed = 0;
     std::vector<CurvePoint> curve;
-    std::vector<PracticeChoice>
-        choices;                   ///< the first of each cycle, and each that differs from the one before
-    double processor_seconds = 0;  ///< of the practice and learning, without evaluations
+    std::vector<PracticeChoice> choices;  ///< the first of each cycle
+    double processor_seconds = 0;         ///< of the practice and learning, without evaluations
     double evaluation_seconds = 0;
     bool operator==(const RunResult&) const = default;
 };

@@ -17,7 +17,7 @@ struct PracticeOptions {
     int cycle_steps = 0;  ///< skills a cycle; 0: what the environment says
     /// Skills after which the parameter policies are learned anew, also within a cycle; 0: at the end of each
     /// cycle only.
-    int learn_every = 0;
+    int learn_every = 25;
     int test_tasks = 100;
     /// Skills after which the robot is tested, if it has learned since the last test; 0: after each cycle.
     int test_every = 0;
