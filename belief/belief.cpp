@@ -11,6 +11,7 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
       axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
       initial_(compilation_->belief()),
       derived_(compilation_->belief()),
+      supposed_derived_(derived_),
       consistent_(initial_.consistent()),
       touched_(compilation_->belief().uncertain.size(), false),
       values_(compilation_->task()->initial_values) {
@@ -31,8 +32,14 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
 }
 
 std::int32_t Belief::value(std::int32_t variable) const {
-    const auto v = static_cast<std::size_t>(variable);
     if (physical().derived(variable)) return derived_.value(variable);
+    return doubts_.about(variable) ? BeliefTask::kUnknown : supposed(variable);
+}
+
+std::int32_t Belief::supposed(std::int32_t variable) const {
+    const std::size_t v = index(variable);
+    if (physical().derived(variable))
+        return (doubts_.empty() ? derived_ : supposed_derived_).value(variable);
     const Components& components = compilation_->components();
     if (const std::uint32_t c = components.component_of[v]; c != Components::kNone)
         return cases_[c].value(components.column_of[v]);
@@ -44,6 +51,17 @@ std::int32_t Belief::value(std::int32_t variable) const {
 
 bool Belief::knows(std::span<const Fact> facts) const {
     return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return knows(fact); });
+}
+
+bool Belief::supposes(std::span<const Fact> facts) const {
+    return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return supposes(fact); });
+}
+
+bool Belief::may_hold(std::span<const Fact> facts) const {
+    return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) {
+        const std::int32_t now = supposed(fact.variable);
+        return now == fact.value || now == BeliefTask::kUnknown;
+    });
 }
 
 Truth Belief::truth(Fact fact) const {
@@ -63,6 +81,7 @@ std::uint64_t Belief::fingerprint() const {
             mix(touched_[v]);
             mix(static_cast<std::uint64_t>(initial_.value(variable) + 1));
         }
+        mix(doubts_.about(variable));
     }
     for (const Cases& cases : cases_) {
         std::uint64_t sum = 0;  // the order of cases does not matter
@@ -80,6 +99,12 @@ std::uint64_t Belief::fingerprint() const {
 void Belief::act(std::uint32_t action) {
     const BeliefTask& task = compilation_->belief();
     const FiniteDomainTask& compiled = *compilation_->task();
+    if (!doubts_.empty()) {
+        for (const Fact& fact : physical().preconditions[action]) settle(fact);
+        for (const GroundEffect& effect : physical().effects[action])
+            if (may_hold(physical().conditions[effect.condition])) doubts_.overwrite(effect.fact.variable);
+        for (std::int32_t variable : task.forgotten[action]) doubts_.overwrite(variable);
+    }
     for (const GroundEffect& effect : physical().effects[action]) {
         const auto variable = static_cast<std::size_t>(effect.fact.variable);
         if (!task.uncertain[variable] || touched_[variable]) continue;
@@ -88,7 +113,7 @@ void Belief::act(std::uint32_t action) {
             when.begin(), when.end(), [&](const Fact& fact) { return truth(fact) == Truth::known_false; });
     }
     for (std::int32_t variable : task.forgotten[action]) touched_[static_cast<std::size_t>(variable)] = true;
-    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return knows(fact); });
+    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return supposes(fact); });
     before_ = values_;
     for (const GroundEffect& effect : compilation_->effects(action))
         if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
@@ -108,6 +133,7 @@ void Belief::decay() {
     for (std::size_t v = 0; v < lasting.size(); ++v) {
         if (lasting[v] == BeliefTask::kForever || step_ - confirmed_[v] <= lasting[v]) continue;
         touched_[v] = true;
+        doubts_.overwrite(static_cast<std::int32_t>(v));
         values_[basic(static_cast<std::int32_t>(v))] = Compilation::kNotKnown;
     }
 }
@@ -115,6 +141,7 @@ void Belief::decay() {
 bool Belief::learn(Fact fact) {
     const BeliefTask& task = compilation_->belief();
     if (!confirmed_.empty()) confirmed_[static_cast<std::size_t>(fact.variable)] = step_;
+    settle(fact);
     if (knows(fact)) return true;
     const auto variable = static_cast<std::size_t>(fact.variable);
     if (truth(fact) == Truth::known_false || !task.uncertain[variable]) return false;
@@ -139,10 +166,69 @@ bool Belief::learn(Fact fact) {
     return true;
 }
 
-void Belief::forget(std::int32_t variable) {
-    touched_[static_cast<std::size_t>(variable)] = true;
-    values_[basic(variable)] = Compilation::kNotKnown;
+std::optional<Supposition> Belief::fail(std::uint32_t action) {
+    const BeliefTask& task = compilation_->belief();
+    Belief after = *this;
+    after.act(action);
+    std::vector<std::int32_t> variables(task.forgotten[action].begin(), task.forgotten[action].end());
+    for (const GroundEffect& effect : physical().effects[action]) variables.push_back(effect.fact.variable);
+    std::sort(variables.begin(), variables.end());
+    variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
+    Doubt doubt{{action, false}, {}};
+    bool certain = false;
+    for (std::int32_t variable : variables) {
+        const std::int32_t before = supposed(variable), then = after.supposed(variable);
+        touched_[index(variable)] = after.touched_[index(variable)];
+        if (compilation_->tracked(variable) || (before == then && before != BeliefTask::kUnknown)) continue;
+        if (before != BeliefTask::kUnknown && then != BeliefTask::kUnknown)
+            doubt.changes.push_back({variable, before, then});
+        if (task.uncertain[index(variable)])
+            values_[basic(variable)] = Compilation::kNotKnown;
+        else
+            certain = true;
+    }
+    for (std::size_t c = 0; c < cases_.size(); ++c) cases_[c].unite(after.cases_[c]);
+    ++step_;
+    if (!confirmed_.empty()) decay();
+    const bool again = doubts_.has_action(action);
+    std::optional<Supposition> result = turn(physical().preconditions[action], false);
+    if (!again && !doubt.changes.empty()) {
+        if (certain && !result) result = doubt.supposed;
+        doubts_.add(std::move(doubt));
+    }
     complete();
+    return result;
+}
+
+std::optional<Supposition> Belief::refuse(std::uint32_t action) {
+    const auto precondition = physical().preconditions[action];
+    return turn(precondition, doubts_.count(precondition, physical()) == 1);
+}
+
+std::optional<Supposition> Belief::suppose_otherwise() {
+    return turn(physical().goal, false);
+}
+
+std::optional<Supposition> Belief::turn(std::span<const Fact> facts, bool settled) {
+    std::vector<Fact> news;
+    const std::optional<Supposition> result = doubts_.turn(facts, physical(), settled, news);
+    assume(news, settled);
+    return result;
+}
+
+void Belief::settle(Fact fact) {
+    if (!doubts_.about(fact.variable)) return;
+    std::vector<Fact> news;
+    doubts_.settle(fact, news);
+    if (!compilation_->belief().uncertain[index(fact.variable)]) news.push_back(fact);
+    assume(news, true);
+}
+
+void Belief::assume(std::span<const Fact> facts, bool known) {
+    for (const Fact& fact : facts)
+        if (known || !compilation_->belief().uncertain[index(fact.variable)])
+            values_[basic(fact.variable)] = fact.value;
+    if (!facts.empty()) complete();
 }
 
 void Belief::begin_plan(Random& random) {
@@ -196,7 +282,9 @@ void Belief::complete() {
             closed = 1;
     }
     axioms_->complete(values_.data(), scratch_);
-    if (physical().has_axioms()) derived_.update([&](std::int32_t variable) { return value(variable); });
+    if (!physical().has_axioms()) return;
+    derived_.update([&](std::int32_t variable) { return value(variable); });
+    if (!doubts_.empty()) supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
 }
 
 }  // namespace praxis::belief

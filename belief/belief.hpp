@@ -3,17 +3,19 @@
 // Knowledge of the present is kept as values of the compiled task (so that a search can start from it at
 // once), and knowledge of the first state beside it: a reading of a variable that no action has touched since
 // tells about the first state, and by its clauses about other variables. Of components that are tracked, all
-// possible cases are kept.
+// possible cases are kept. After an action that failed it is not known whether it happened (`Doubts`).
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "belief/cases.hpp"
 #include "belief/compilation.hpp"
 #include "belief/derived_knowledge.hpp"
+#include "belief/doubts.hpp"
 #include "belief/initial_knowledge.hpp"
 #include "belief/percept.hpp"
 #include "search/engines/random.hpp"
@@ -39,9 +41,14 @@ class Belief {
     bool knows(Fact fact) const { return value(fact.variable) == fact.value; }
     bool knows(std::span<const Fact> facts) const;
     Truth truth(Fact fact) const;
-    /// The action's precondition is known to hold.
-    bool can(std::uint32_t action) const { return knows(physical().preconditions[action]); }
+    /// The action's precondition is known to hold, or supposed to where it is in doubt.
+    bool can(std::uint32_t action) const { return supposes(physical().preconditions[action]); }
     bool goal_known() const { return knows(physical().goal); }
+    /// As `knows`, what is in doubt after failures being as plans suppose it.
+    bool supposes(std::span<const Fact> facts) const;
+    bool supposes(Fact fact) const { return supposed(fact.variable) == fact.value; }
+    /// A failed action may have changed the variable.
+    bool in_doubt(std::int32_t variable) const { return doubts_.about(variable); }
     /// An action may have changed the variable since the start.
     bool touched(std::int32_t variable) const { return touched_[static_cast<std::size_t>(variable)]; }
     /// Tells beliefs apart (up to chance).
@@ -52,8 +59,15 @@ class Belief {
     /// A reading without error: `fact` holds now. Returns false, and changes nothing, if that contradicts
     /// what is known.
     bool learn(Fact fact);
-    /// Nothing is known of the variable any more; not for tracked ones.
-    void forget(std::int32_t variable);
+    /// What is known after an action that failed: it happened as a whole or not at all. Returns what plans
+    /// suppose from now on of it (that it did not happen), or of an earlier failure by which this one may be
+    /// explained (the other way); nothing if no certain variable is in doubt.
+    std::optional<Supposition> fail(std::uint32_t action);
+    /// The world has refused the action, which changed nothing: what was in doubt and made it look possible
+    /// is the other way. Nothing if nothing was in doubt.
+    std::optional<Supposition> refuse(std::uint32_t action);
+    /// Supposes of the last failed action on which the goal depends that it is the other way.
+    std::optional<Supposition> suppose_otherwise();
 
     /// Makes `values` ready for a plan that starts now: puts possible cases into the slots of the compiled
     /// task, all of them or a random choice with those that made a plan fail before.
@@ -66,6 +80,13 @@ class Belief {
     std::size_t basic(std::int32_t variable) const {
         return static_cast<std::size_t>(compilation_->variable(variable));
     }
+    std::int32_t supposed(std::int32_t variable) const;
+    /// As far as is known and supposed.
+    bool may_hold(std::span<const Fact> facts) const;
+    std::optional<Supposition> turn(std::span<const Fact> facts, bool settled);
+    void settle(Fact fact);
+    /// Facts that doubts are about hold. `known`: or else they are supposed to, and the uncertain ones are not.
+    void assume(std::span<const Fact> facts, bool known);
     void complete();
     void decay();
 
@@ -74,6 +95,8 @@ class Belief {
     AxiomEvaluator::Scratch scratch_;
     InitialKnowledge initial_;
     DerivedKnowledge derived_;
+    DerivedKnowledge supposed_derived_;  ///< while there are doubts
+    Doubts doubts_;
     bool consistent_ = true;
     std::vector<bool> touched_;  ///< by physical variable: an action may have changed it
     std::vector<std::int32_t> values_;
