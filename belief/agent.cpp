@@ -94,10 +94,11 @@ class Agent::Run {
         event.text = std::move(text);
         tell(event);
     }
-    /// Tells what is supposed of a failed action; false if nothing is.
+    /// Tells what is supposed after failures; false if nothing is in doubt.
     bool tell(const std::optional<Supposition>& supposed) const {
         if (!supposed) return false;
-        tell(Event::Kind::supposed, to_string(*supposed, *planner_.compilation().belief().physical));
+        if (!supposed->facts.empty())
+            tell(Event::Kind::supposed, to_string(*supposed, *planner_.compilation().belief().physical));
         return true;
     }
 

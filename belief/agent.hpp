@@ -56,7 +56,7 @@ struct Event {
     enum class Kind : std::uint8_t { planned, executed, failed, supposed, read, found, finished };
     Kind kind = Kind::planned;
     std::uint32_t action = Environment::kStart;  ///< executed, failed
-    /// Why planned, why failed, what is supposed of a failed action, what was read, found, how finished.
+    /// Why planned, why failed, what is supposed after failures, what was read, found, how finished.
     std::string text;
     std::vector<std::uint32_t> plan = {};        ///< planned: the actions of the plan
     double seconds = 0;                          ///< planned: processor time

@@ -25,6 +25,11 @@ AtomNames::AtomNames(const BeliefTask& task) : task_(&task) {
 }
 
 std::optional<Fact> AtomNames::fact(const AtomName& atom) const {
+    const auto found = literal(atom);
+    return found ? fact(*found) : std::nullopt;
+}
+
+std::optional<GroundLiteral> AtomNames::literal(const AtomName& atom) const {
     if (atom.words.empty()) return std::nullopt;
     const auto predicate = predicates_.find(atom.words[0]);
     if (predicate == predicates_.end()) return std::nullopt;
@@ -35,12 +40,12 @@ std::optional<Fact> AtomNames::fact(const AtomName& atom) const {
         if (object == objects_.end()) return std::nullopt;
         literal.arguments.emplace_back(object->second);
     }
-    return fact(literal);
+    const Predicate& schema = task_->source->task->predicates[literal.predicate.index()];
+    if (literal.arguments.size() != schema.parameters.size()) return std::nullopt;
+    return literal;
 }
 
 std::optional<Fact> AtomNames::fact(const GroundLiteral& literal) const {
-    const Predicate& predicate = task_->source->task->predicates[literal.predicate.index()];
-    if (literal.arguments.size() != predicate.parameters.size()) return std::nullopt;
     const AtomIndex& atoms = *task_->atoms;
     for (std::uint32_t entry = atoms.find(literal.predicate, literal.arguments); entry != AtomIndex::kAbsent;
          entry = atoms[entry].next) {

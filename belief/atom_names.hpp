@@ -21,6 +21,8 @@ class AtomNames {
     /// The fact that says that the atom holds; nothing for atoms that are not variables of the ground task.
     std::optional<Fact> fact(const AtomName& atom) const;
     std::optional<Fact> fact(const GroundLiteral& literal) const;  ///< whatever its sign
+    /// The atom in terms of the source; nothing if there is no such predicate of so many objects.
+    std::optional<GroundLiteral> literal(const AtomName& atom) const;
     /// What the fact says, in terms of the source; nothing for "none of those" and for atoms of the
     /// grounder's own.
     std::optional<GroundLiteral> literal(Fact fact) const;

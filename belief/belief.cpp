@@ -6,6 +6,12 @@
 
 namespace praxis::belief {
 
+std::string to_string(const Supposition& supposed, const FiniteDomainTask& task) {
+    std::string text;
+    for (const Fact& fact : supposed.facts) text += (text.empty() ? "" : ", ") + task.fact_name(fact);
+    return text;
+}
+
 Belief::Belief(std::shared_ptr<const Compilation> compilation)
     : compilation_(std::move(compilation)),
       axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
@@ -33,13 +39,13 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
 
 std::int32_t Belief::value(std::int32_t variable) const {
     if (physical().derived(variable)) return derived_.value(variable);
-    return doubts_.about(variable) ? BeliefTask::kUnknown : supposed(variable);
+    return in_doubt(variable) ? BeliefTask::kUnknown : supposed(variable);
 }
 
 std::int32_t Belief::supposed(std::int32_t variable) const {
     const std::size_t v = index(variable);
     if (physical().derived(variable))
-        return (doubts_.empty() ? derived_ : supposed_derived_).value(variable);
+        return (hypotheses_.empty() ? derived_ : supposed_derived_).value(variable);
     const Components& components = compilation_->components();
     if (const std::uint32_t c = components.component_of[v]; c != Components::kNone)
         return cases_[c].value(components.column_of[v]);
@@ -55,13 +61,6 @@ bool Belief::knows(std::span<const Fact> facts) const {
 
 bool Belief::supposes(std::span<const Fact> facts) const {
     return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return supposes(fact); });
-}
-
-bool Belief::may_hold(std::span<const Fact> facts) const {
-    return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) {
-        const std::int32_t now = supposed(fact.variable);
-        return now == fact.value || now == BeliefTask::kUnknown;
-    });
 }
 
 Truth Belief::truth(Fact fact) const {
@@ -81,8 +80,8 @@ std::uint64_t Belief::fingerprint() const {
             mix(touched_[v]);
             mix(static_cast<std::uint64_t>(initial_.value(variable) + 1));
         }
-        mix(doubts_.about(variable));
     }
+    mix(hypotheses_.fingerprint());
     for (const Cases& cases : cases_) {
         std::uint64_t sum = 0;  // the order of cases does not matter
         for (std::size_t i = 0; i < cases.count(); ++i) {
@@ -96,15 +95,8 @@ std::uint64_t Belief::fingerprint() const {
     return result;
 }
 
-void Belief::act(std::uint32_t action) {
+void Belief::touch(std::uint32_t action) {
     const BeliefTask& task = compilation_->belief();
-    const FiniteDomainTask& compiled = *compilation_->task();
-    if (!doubts_.empty()) {
-        for (const Fact& fact : physical().preconditions[action]) settle(fact);
-        for (const GroundEffect& effect : physical().effects[action])
-            if (may_hold(physical().conditions[effect.condition])) doubts_.overwrite(effect.fact.variable);
-        for (std::int32_t variable : task.forgotten[action]) doubts_.overwrite(variable);
-    }
     for (const GroundEffect& effect : physical().effects[action]) {
         const auto variable = static_cast<std::size_t>(effect.fact.variable);
         if (!task.uncertain[variable] || touched_[variable]) continue;
@@ -112,8 +104,14 @@ void Belief::act(std::uint32_t action) {
         touched_[variable] = std::none_of(
             when.begin(), when.end(), [&](const Fact& fact) { return truth(fact) == Truth::known_false; });
     }
-    for (std::int32_t variable : task.forgotten[action]) touched_[static_cast<std::size_t>(variable)] = true;
+    for (std::int32_t variable : task.forgotten[action]) touched_[index(variable)] = true;
+}
+
+void Belief::act(std::uint32_t action) {
+    const FiniteDomainTask& compiled = *compilation_->task();
+    touch(action);
     for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return supposes(fact); });
+    if (!hypotheses_.empty()) hypotheses_.act(compilation_->belief(), action, value_beside());
     before_ = values_;
     for (const GroundEffect& effect : compilation_->effects(action))
         if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
@@ -124,7 +122,7 @@ void Belief::act(std::uint32_t action) {
             if (effect.condition == 0) confirmed_[static_cast<std::size_t>(effect.fact.variable)] = step_;
         decay();
     }
-    complete();
+    settle();
 }
 
 /// What has not been confirmed for too long is not known any more.
@@ -133,7 +131,7 @@ void Belief::decay() {
     for (std::size_t v = 0; v < lasting.size(); ++v) {
         if (lasting[v] == BeliefTask::kForever || step_ - confirmed_[v] <= lasting[v]) continue;
         touched_[v] = true;
-        doubts_.overwrite(static_cast<std::int32_t>(v));
+        hypotheses_.forget(static_cast<std::int32_t>(v));
         values_[basic(static_cast<std::int32_t>(v))] = Compilation::kNotKnown;
     }
 }
@@ -141,7 +139,10 @@ void Belief::decay() {
 bool Belief::learn(Fact fact) {
     const BeliefTask& task = compilation_->belief();
     if (!confirmed_.empty()) confirmed_[static_cast<std::size_t>(fact.variable)] = step_;
-    settle(fact);
+    if (in_doubt(fact.variable)) {
+        hypotheses_.learn(fact);
+        settle();
+    }
     if (knows(fact)) return true;
     const auto variable = static_cast<std::size_t>(fact.variable);
     if (truth(fact) == Truth::known_false || !task.uncertain[variable]) return false;
@@ -168,67 +169,62 @@ bool Belief::learn(Fact fact) {
 
 std::optional<Supposition> Belief::fail(std::uint32_t action) {
     const BeliefTask& task = compilation_->belief();
-    Belief after = *this;
-    after.act(action);
+    touch(action);
+    for (Cases& cases : cases_) {
+        Cases after = cases;
+        after.act(action, [&](const Fact& fact) { return supposes(fact); });
+        cases.unite(after);
+    }
     std::vector<std::int32_t> variables(task.forgotten[action].begin(), task.forgotten[action].end());
     for (const GroundEffect& effect : physical().effects[action]) variables.push_back(effect.fact.variable);
-    std::sort(variables.begin(), variables.end());
-    variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
-    Doubt doubt{{action, false}, {}};
-    bool certain = false;
-    for (std::int32_t variable : variables) {
-        const std::int32_t before = supposed(variable), then = after.supposed(variable);
-        touched_[index(variable)] = after.touched_[index(variable)];
-        if (compilation_->tracked(variable) || (before == then && before != BeliefTask::kUnknown)) continue;
-        if (before != BeliefTask::kUnknown && then != BeliefTask::kUnknown)
-            doubt.changes.push_back({variable, before, then});
-        if (task.uncertain[index(variable)])
-            values_[basic(variable)] = Compilation::kNotKnown;
-        else
-            certain = true;
-    }
-    for (std::size_t c = 0; c < cases_.size(); ++c) cases_[c].unite(after.cases_[c]);
+    std::erase_if(variables, [&](std::int32_t variable) { return compilation_->tracked(variable); });
+    hypotheses_.fail(task, action, variables, value_beside());
     ++step_;
     if (!confirmed_.empty()) decay();
-    const bool again = doubts_.has_action(action);
-    std::optional<Supposition> result = turn(physical().preconditions[action], false);
-    if (!again && !doubt.changes.empty()) {
-        if (certain && !result) result = doubt.supposed;
-        doubts_.add(std::move(doubt));
-    }
-    complete();
-    return result;
+    settle();
+    Supposition supposed = supposition();
+    if (supposed.facts.empty()) return std::nullopt;
+    return supposed;
 }
 
 std::optional<Supposition> Belief::refuse(std::uint32_t action) {
-    const auto precondition = physical().preconditions[action];
-    return turn(precondition, doubts_.count(precondition, physical()) == 1);
+    if (!hypotheses_.refuse(compilation_->belief(), action, value_beside())) return std::nullopt;
+    settle();
+    return supposition();
 }
 
 std::optional<Supposition> Belief::suppose_otherwise() {
-    return turn(physical().goal, false);
+    if (hypotheses_.empty()) return std::nullopt;
+    hypotheses_.turn();
+    settle();
+    return supposition();
 }
 
-std::optional<Supposition> Belief::turn(std::span<const Fact> facts, bool settled) {
-    std::vector<Fact> news;
-    const std::optional<Supposition> result = doubts_.turn(facts, physical(), settled, news);
-    assume(news, settled);
+Hypotheses::Value Belief::value_beside() const {
+    return [this](std::int32_t variable) {
+        return physical().derived(variable) ? BeliefTask::kUnknown : supposed(variable);
+    };
+}
+
+void Belief::settle() {
+    if (!hypotheses_.empty()) {
+        for (const Fact& fact : hypotheses_.settle())
+            if (fact.value != BeliefTask::kUnknown) values_[basic(fact.variable)] = fact.value;
+        for (const std::int32_t variable : hypotheses_.variables())
+            values_[basic(variable)] = Compilation::kNotKnown;
+        for (const Fact& fact : supposition().facts) values_[basic(fact.variable)] = fact.value;
+    }
+    complete();
+}
+
+Supposition Belief::supposition() const {
+    Supposition result;
+    for (std::size_t i = 0; i < hypotheses_.variables().size(); ++i) {
+        const std::int32_t variable = hypotheses_.variables()[i];
+        if (!compilation_->belief().uncertain[index(variable)])
+            result.facts.push_back({variable, hypotheses_.supposed()[i]});
+    }
     return result;
-}
-
-void Belief::settle(Fact fact) {
-    if (!doubts_.about(fact.variable)) return;
-    std::vector<Fact> news;
-    doubts_.settle(fact, news);
-    if (!compilation_->belief().uncertain[index(fact.variable)]) news.push_back(fact);
-    assume(news, true);
-}
-
-void Belief::assume(std::span<const Fact> facts, bool known) {
-    for (const Fact& fact : facts)
-        if (known || !compilation_->belief().uncertain[index(fact.variable)])
-            values_[basic(fact.variable)] = fact.value;
-    if (!facts.empty()) complete();
 }
 
 void Belief::begin_plan(Random& random) {
@@ -284,7 +280,7 @@ void Belief::complete() {
     axioms_->complete(values_.data(), scratch_);
     if (!physical().has_axioms()) return;
     derived_.update([&](std::int32_t variable) { return value(variable); });
-    if (!doubts_.empty()) supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
+    if (!hypotheses_.empty()) supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
 }
 
 }  // namespace praxis::belief

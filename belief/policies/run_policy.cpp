@@ -64,7 +64,7 @@ class PolicyRun {
         result_.run.actions.push_back(action);
         if (execution.status != Status::done) policy_.failed();
         if (refused) supposed = belief_.refuse(action);
-        if (supposed)
+        if (supposed && !supposed->facts.empty())
             tell(Event::Kind::supposed, Environment::kStart, to_string(*supposed, *task().physical));
         if (!refused) return observe(action);
         if (!supposed) finish(RunStatus::illegal, execution.message);
