@@ -39,8 +39,8 @@ void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
 }
 
 void BeliefTeller::tell_json(const Event& event, const std::string& action, const belief::Belief& belief) {
-    static constexpr const char* kKinds[] = {"planned", "executed", "failed",  "supposed",
-                                             "read",    "found",    "finished"};
+    static constexpr const char* kKinds[] = {"planned",  "executed", "failed", "read",
+                                             "finished", "supposed", "found"};
     const belief::BeliefTask& task = belief.compilation().belief();
     nlohmann::ordered_json line{{"world", world_}, {"event", kKinds[static_cast<int>(event.kind)]}};
     if (!action.empty()) line["action"] = action;

@@ -53,10 +53,11 @@ const char* to_string(RunStatus status);
 
 /// One step of the run, for traces.
 struct Event {
-    enum class Kind : std::uint8_t { planned, executed, failed, supposed, read, found, finished };
+    enum class Kind : std::uint8_t { planned, executed, failed, read, finished, supposed, found };
     Kind kind = Kind::planned;
     std::uint32_t action = Environment::kStart;  ///< executed, failed
-    /// Why planned, why failed, what is supposed after failures, what was read, found, how finished.
+    /// Why planned, why failed, what was read, how finished, what is supposed after failures, what was
+    /// found.
     std::string text;
     std::vector<std::uint32_t> plan = {};        ///< planned: the actions of the plan
     double seconds = 0;                          ///< planned: processor time

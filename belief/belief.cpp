@@ -201,9 +201,7 @@ std::optional<Supposition> Belief::suppose_otherwise() {
 }
 
 Hypotheses::Value Belief::value_beside() const {
-    return [this](std::int32_t variable) {
-        return physical().derived(variable) ? BeliefTask::kUnknown : supposed(variable);
-    };
+    return [this](std::int32_t variable) { return supposed(variable); };
 }
 
 void Belief::settle() {

@@ -28,8 +28,9 @@ std::uint64_t Hypotheses::fingerprint() const {
 void Hypotheses::act(const BeliefTask& task, std::uint32_t action, const Value& value) {
     if (empty()) return;
     const auto precondition = task.physical->preconditions[action];
-    std::erase_if(rows_,
-                  [&](const Row& row) { return hold(row, precondition, value) == Truth::known_false; });
+    std::vector<Row> left = rows_;
+    std::erase_if(left, [&](const Row& row) { return hold(row, precondition, value) == Truth::known_false; });
+    if (!left.empty()) rows_ = std::move(left);
     for (Row& row : rows_) row = after(task, action, row, value);
     remove_repeated();
 }
@@ -51,10 +52,15 @@ void Hypotheses::fail(const BeliefTask& task, std::uint32_t action, std::span<co
 
 bool Hypotheses::refuse(const BeliefTask& task, std::uint32_t action, const Value& value) {
     const auto precondition = task.physical->preconditions[action];
+    // Derived atoms are those of the first hypothesis: of the others they tell nothing.
+    const bool derived = std::any_of(precondition.begin(), precondition.end(), [&](const Fact& fact) {
+        return task.physical->derived(fact.variable);
+    });
     std::vector<Row> left;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Truth possible = hold(rows_[i], precondition, value);
-        if (possible == Truth::known_false || (possible == Truth::unknown && i > 0)) left.push_back(rows_[i]);
+        if (possible == Truth::known_false || (i > 0 && (derived || possible == Truth::unknown)))
+            left.push_back(rows_[i]);
     }
     if (left.empty()) return false;
     rows_ = std::move(left);

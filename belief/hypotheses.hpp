@@ -20,7 +20,8 @@ namespace praxis::belief {
 
 class Hypotheses {
   public:
-    /// The value of a variable that is not in doubt; BeliefTask::kUnknown if it is not known or is derived.
+    /// The value of a variable that is not in doubt, or is derived (then by the first hypothesis);
+    /// BeliefTask::kUnknown if it is not known.
     using Value = std::function<std::int32_t(std::int32_t variable)>;
 
     bool empty() const { return columns_.empty(); }
