@@ -102,7 +102,8 @@ class Runner {
         PolicyResult result;
         std::string error;
         try {
-            result = run_policy(*policy, context_, belief, observed ? *observed : world, run_.budget(), watch);
+            result =
+                run_policy(*policy, context_, belief, observed ? *observed : world, run_.budget(), watch);
         } catch (const ObserverError& broken) {
             error = broken.what();
         }

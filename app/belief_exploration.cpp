@@ -49,9 +49,9 @@ BeliefRun explore_world(Run& run, const BeliefOptions& options,
     CompilationOptions compilation;
     compilation.risk = options.risk;
     teller.begin(number);
-    const Exploration exploration =
-        explore(full, robot, robot, belief_agent_options(options, 0), run.budget(),
-                [&](const Event& event, const Belief& belief) { teller.tell(event, belief); }, compilation);
+    const Exploration exploration = explore(
+        full, robot, robot, belief_agent_options(options, 0), run.budget(),
+        [&](const Event& event, const Belief& belief) { teller.tell(event, belief); }, compilation);
     const double seconds = processor_seconds() - start;
     BeliefRun result = judge_belief_run(*task, first, world, exploration.status);
     result.processor_seconds = seconds;

@@ -9,8 +9,9 @@ struct BeliefObserver::Parts {};
 
 BeliefObserver::BeliefObserver(const std::string& file, std::function<void(const std::string&)>)
     : file_(file) {
-    throw std::invalid_argument("--observer needs a 'plan' that was built with perception: cmake "
-                                "-DPRAXIS_BUILD_PERCEPTION=ON");
+    throw std::invalid_argument(
+        "--observer needs a 'plan' that was built with perception: cmake "
+        "-DPRAXIS_BUILD_PERCEPTION=ON");
 }
 
 BeliefObserver::~BeliefObserver() = default;

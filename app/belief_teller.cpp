@@ -8,9 +8,10 @@ using belief::Event;
 
 void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
     if (!wants_text_ && !wants_trace_) return;
-    const std::string action = event.action == belief::Environment::kStart
-                                   ? ""
-                                   : belief.compilation().belief().physical->operator_name(OperatorId(event.action));
+    const std::string action =
+        event.action == belief::Environment::kStart
+            ? ""
+            : belief.compilation().belief().physical->operator_name(OperatorId(event.action));
     if (wants_trace_) tell_json(event, action, belief);
     if (!wants_text_) return;
     switch (event.kind) {

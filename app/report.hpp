@@ -18,7 +18,7 @@ struct BeliefRun {
     bool false_success = false;  ///< believed only
     bool infeasible = false;     ///< it is proved that nobody can reach the goal
     std::string message;
-    std::string error;  ///< the observer is out of order, and why
+    std::string error;                 ///< the observer is out of order, and why
     std::vector<std::string> actions;  ///< tried; some may have failed
     std::size_t failures = 0;          ///< how many of them did
     std::vector<std::string> found;    ///< objects, in the order in which they were found

@@ -156,7 +156,8 @@ class Agent::Run {
         if (plan.status != Status::solved && evidence_ && evidence_->guess()) return make_plan();
         if (plan.status != Status::solved) return no_plan(plan.status);
         // What is in doubt is found out by doing the rest as if it were not as the goal wants it.
-        if (plan.steps.empty() && tell(evidence_ ? evidence_->suppose_otherwise() : belief_.suppose_otherwise()))
+        if (plan.steps.empty() &&
+            tell(evidence_ ? evidence_->suppose_otherwise() : belief_.suppose_otherwise()))
             return make_plan();
         steps_ = std::move(plan.steps);
         Event event;

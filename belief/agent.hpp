@@ -59,8 +59,8 @@ struct Event {
     /// Why planned, why failed, what was read, how finished, what is supposed after failures, what was
     /// found.
     std::string text;
-    std::vector<std::uint32_t> plan = {};        ///< planned: the actions of the plan
-    double seconds = 0;                          ///< planned: processor time
+    std::vector<std::uint32_t> plan = {};  ///< planned: the actions of the plan
+    double seconds = 0;                    ///< planned: processor time
 };
 
 struct RunResult {

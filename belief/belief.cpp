@@ -278,7 +278,8 @@ void Belief::complete() {
     axioms_->complete(values_.data(), scratch_);
     if (!physical().has_axioms()) return;
     derived_.update([&](std::int32_t variable) { return value(variable); });
-    if (!hypotheses_.empty()) supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
+    if (!hypotheses_.empty())
+        supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
 }
 
 }  // namespace praxis::belief

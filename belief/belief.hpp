@@ -68,11 +68,11 @@ class Belief {
     /// what is known.
     bool learn(Fact fact);
     /// What is known after an action that failed: it happened as a whole or not at all. Returns what plans
-    /// suppose from now on: that it did not, unless it failed because what was supposed is not so. Nothing if no
-    /// certain variable is in doubt.
+    /// suppose from now on: that it did not, unless it failed because what was supposed is not so. Nothing if
+    /// no certain variable is in doubt.
     std::optional<Supposition> fail(std::uint32_t action);
-    /// The world has refused the action, which changed nothing: what is supposed is not so. Nothing if nothing
-    /// in doubt explains that.
+    /// The world has refused the action, which changed nothing: what is supposed is not so. Nothing if
+    /// nothing in doubt explains that.
     std::optional<Supposition> refuse(std::uint32_t action);
     /// Supposes something else of what is in doubt. Nothing if nothing is.
     std::optional<Supposition> suppose_otherwise();

@@ -93,7 +93,8 @@ void Evidence::believe(Fact fact, double weight) {
     while (!belief_->learn(fact)) {
         const Step* weakest = nullptr;
         for (const Step& step : history_)
-            if (step.kind == Kind::learnt && step.weight <= weight && (weakest == nullptr || step.weight < weakest->weight))
+            if (step.kind == Kind::learnt && step.weight <= weight &&
+                (weakest == nullptr || step.weight < weakest->weight))
                 weakest = &step;
         if (weakest == nullptr) return;  // what speaks against it is stronger
         doubt(weakest->fact.variable);

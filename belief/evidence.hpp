@@ -22,8 +22,8 @@ class Evidence {
     /// std::invalid_argument.
     Evidence(Belief& belief, double accept);
 
-    /// An action has been executed; has failed; has been refused. No plan is needed as the goal is supposed to
-    /// hold. As in `Belief`.
+    /// An action has been executed; has failed; has been refused. No plan is needed as the goal is supposed
+    /// to hold. As in `Belief`.
     void act(std::uint32_t action);
     std::optional<Supposition> fail(std::uint32_t action);
     std::optional<Supposition> refuse(std::uint32_t action);

@@ -53,9 +53,8 @@ void Hypotheses::fail(const BeliefTask& task, std::uint32_t action, std::span<co
 bool Hypotheses::refuse(const BeliefTask& task, std::uint32_t action, const Value& value) {
     const auto precondition = task.physical->preconditions[action];
     // Derived atoms are those of the first hypothesis: of the others they tell nothing.
-    const bool derived = std::any_of(precondition.begin(), precondition.end(), [&](const Fact& fact) {
-        return task.physical->derived(fact.variable);
-    });
+    const bool derived = std::any_of(precondition.begin(), precondition.end(),
+                                     [&](const Fact& fact) { return task.physical->derived(fact.variable); });
     std::vector<Row> left;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Truth possible = hold(rows_[i], precondition, value);

@@ -1,11 +1,12 @@
 // What may be the case after actions that failed.
 //
-// A skill that fails may have done its work or not: each state that was possible before is possible still, and
-// so is what the action makes of it (as a whole, or not at all). A *hypothesis* is one of these states, as far
-// as they differ: a row of values, a column for each variable that is *in doubt*. An uncertain variable in
-// doubt is not known. A certain one has no value that says so: plans *suppose* the first hypothesis. A reading,
-// an action that the world executes, one that it refuses, each leaves the hypotheses that agree with it; another
-// failure that a hypothesis explains makes it the first. Where all that are left agree, nothing is in doubt.
+// A skill that fails may have done its work or not: each state that was possible before is possible still,
+// and so is what the action makes of it (as a whole, or not at all). A *hypothesis* is one of these states,
+// as far as they differ: a row of values, a column for each variable that is *in doubt*. An uncertain
+// variable in doubt is not known. A certain one has no value that says so: plans *suppose* the first
+// hypothesis. A reading, an action that the world executes, one that it refuses, each leaves the hypotheses
+// that agree with it; another failure that a hypothesis explains makes it the first. Where all that are left
+// agree, nothing is in doubt.
 #pragma once
 
 #include <cstdint>

@@ -38,8 +38,8 @@ class Skills {
     virtual Execution execute(const ActionName& action, std::stop_token stop) = 0;
 };
 
-/// What an observer is asked after an action (or, with no action, before the first one). After one that failed,
-/// the questions are also about all that it may have changed.
+/// What an observer is asked after an action (or, with no action, before the first one). After one that
+/// failed, the questions are also about all that it may have changed.
 struct ObservationRequest {
     const ActionName* action = nullptr;    ///< the action just executed, or failed; null at the start
     std::span<const AtomName> questions;   ///< atoms that this moment may tell about

@@ -1,5 +1,5 @@
-// A vision-language model as the observer of simulated worlds, set up by a file: which service, what is asked,
-// what a world looks like, where the answers are kept.
+// A vision-language model as the observer of simulated worlds, set up by a file: which service, what is
+// asked, what a world looks like, where the answers are kept.
 #pragma once
 
 #include <filesystem>

@@ -95,7 +95,8 @@ SceneDescription read_scene(Settings settings) {
     SceneDescription scene;
     scene.background = settings.has("background") ? colour_of(settings, "background") : Colour{40, 40, 40};
     scene.noise = settings.number("noise", 0, 255, 0);
-    for (Settings& camera : settings.objects("cameras")) scene.cameras.push_back(camera_of(std::move(camera)));
+    for (Settings& camera : settings.objects("cameras"))
+        scene.cameras.push_back(camera_of(std::move(camera)));
     for (Settings& body : settings.objects("bodies")) scene.bodies.push_back(body_of(std::move(body)));
     settings.finish();
     return scene;
@@ -116,10 +117,10 @@ Scene scene_of(const SceneDescription& description, const std::function<bool(con
                            body.open && holds(*body.open));
                 break;
             default:
-                scene.bodies.push_back({body.name,
-                                        body.shape == DescribedBody::Shape::box ? Body::Shape::box
-                                                                                : Body::Shape::cylinder,
-                                        body.colour, place->base, body.half_x, body.half_y, body.height});
+                scene.bodies.push_back(
+                    {body.name,
+                     body.shape == DescribedBody::Shape::box ? Body::Shape::box : Body::Shape::cylinder,
+                     body.colour, place->base, body.half_x, body.half_y, body.height});
         }
     }
     return scene;

@@ -1,6 +1,8 @@
-// A scene that shows which atoms hold: bodies that stand where atoms say, drawers that are open if one says so.
+// A scene that shows which atoms hold: bodies that stand where atoms say, drawers that are open if one says
+// so.
 //
-// So a simulated world of any domain has pictures. The description is JSON; docs/perception.md has its members.
+// So a simulated world of any domain has pictures. The description is JSON; docs/perception.md has its
+// members.
 #pragma once
 
 #include <functional>

@@ -14,15 +14,16 @@ namespace {
 class ObserverCommand : public testing::Test {
   protected:
     Outcome belief(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"belief", domain, problem, "--observer", folder / "observer.json",
-                                           "--accept", "0.9"};
+        std::vector<std::string> arguments{
+            "belief", domain, problem, "--observer", folder / "observer.json", "--accept", "0.9"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return plan(arguments);
     }
     void write(const std::string& service, const std::string& mode,
                const std::string& atom = "(in b2)") const {
         folder.write("observer.json", R"({"service": {"model": "m", "attempts": 1)" + service +
-                                          R"(}, "record": {"file": "answers.jsonl", "mode": ")" + mode + R"("},
+                                          R"(}, "record": {"file": "answers.jsonl", "mode": ")" + mode +
+                                          R"("},
             "questions": {"predicates": {"in": {"sentence": "Is the ball in {0}?"}}},
             "scene": {"cameras": [{"name": "top", "side": "above", "centre": [0, 0, 0], "distance": 1,
                                    "visible": 1, "width": 32, "height": 24}],
@@ -32,15 +33,16 @@ class ObserverCommand : public testing::Test {
     }
 
     TemporaryFolder folder;
-    std::string domain = folder.write(
-        "domain.pddl",
-        "(define (domain boxes) (:requirements :typing :contingent) (:types box)\n"
-        "  (:predicates (in ?b - box) (have))\n"
-        "  (:action look :parameters (?b - box) :observe (in ?b))\n"
-        "  (:action take :parameters (?b - box) :precondition (in ?b) :effect (have)))\n");
-    std::string problem = folder.write("two.pddl",
-                                       "(define (problem two) (:domain boxes) (:objects b1 b2 - box)\n"
-                                       "  (:init (oneof (in b1) (in b2))) (:hidden (in b2)) (:goal (have)))\n");
+    std::string domain =
+        folder.write("domain.pddl",
+                     "(define (domain boxes) (:requirements :typing :contingent) (:types box)\n"
+                     "  (:predicates (in ?b - box) (have))\n"
+                     "  (:action look :parameters (?b - box) :observe (in ?b))\n"
+                     "  (:action take :parameters (?b - box) :precondition (in ?b) :effect (have)))\n");
+    std::string problem =
+        folder.write("two.pddl",
+                     "(define (problem two) (:domain boxes) (:objects b1 b2 - box)\n"
+                     "  (:init (oneof (in b1) (in b2))) (:hidden (in b2)) (:goal (have)))\n");
 };
 
 #ifdef PRAXIS_HAS_PERCEPTION

@@ -19,15 +19,16 @@ namespace {
 
 /// A ball is carried from a to b; nothing is uncertain.
 Texts carrying(const std::string& more = "") {
-    return {"(define (domain carry) (:types place) (:predicates (at ?p - place) (ball ?p - place) (held) (free))"
-            "(:action go :parameters (?x ?y - place) :precondition (at ?x) :effect (and (not (at ?x)) (at ?y)))"
-            "(:action take :parameters (?p - place) :precondition (and (at ?p) (ball ?p) (free))"
-            " :effect (and (held) (not (free)) (not (ball ?p))))"
-            "(:action put :parameters (?p - place) :precondition (and (at ?p) (held))"
-            " :effect (and (free) (not (held)) (ball ?p)))" +
-                more + ")",
-            "(define (problem p) (:domain carry) (:objects a b c - place)"
-            "(:init (at a) (ball a) (free)) (:goal (ball b)))"};
+    return {
+        "(define (domain carry) (:types place) (:predicates (at ?p - place) (ball ?p - place) (held) (free))"
+        "(:action go :parameters (?x ?y - place) :precondition (at ?x) :effect (and (not (at ?x)) (at ?y)))"
+        "(:action take :parameters (?p - place) :precondition (and (at ?p) (ball ?p) (free))"
+        " :effect (and (held) (not (free)) (not (ball ?p))))"
+        "(:action put :parameters (?p - place) :precondition (and (at ?p) (held))"
+        " :effect (and (free) (not (held)) (ball ?p)))" +
+            more + ")",
+        "(define (problem p) (:domain carry) (:objects a b c - place)"
+        "(:init (at a) (ball a) (free)) (:goal (ball b)))"};
 }
 
 struct Carrying {
@@ -125,7 +126,8 @@ class FailsOnce : public SimulatedWorld {
     FailsOnce(const Carrying& test, bool happens)
         : SimulatedWorld(test.task, test.task->initial_values), happens_(happens) {}
     Execution execute(std::uint32_t action, std::stop_token stop) override {
-        if (!applicable(action) || !failed_.insert(action).second) return SimulatedWorld::execute(action, stop);
+        if (!applicable(action) || !failed_.insert(action).second)
+            return SimulatedWorld::execute(action, stop);
         if (happens_) SimulatedWorld::execute(action, stop);
         return {Execution::Status::failed, "the gripper slipped"};
     }
@@ -140,12 +142,11 @@ TEST(Failure, TheLoopFindsOutByTrying) {
         Carrying test;
         FailsOnce world(test, happens);
         std::size_t failures = 0, suppositions = 0;
-        const RunResult run =
-            Agent(std::make_shared<const KnowledgePlanner>(test.compilation))
-                .run(test.belief, world, {}, [&](const Event& event, const Belief&) {
-                    failures += event.kind == Event::Kind::failed;
-                    suppositions += event.kind == Event::Kind::supposed;
-                });
+        const RunResult run = Agent(std::make_shared<const KnowledgePlanner>(test.compilation))
+                                  .run(test.belief, world, {}, [&](const Event& event, const Belief&) {
+                                      failures += event.kind == Event::Kind::failed;
+                                      suppositions += event.kind == Event::Kind::supposed;
+                                  });
         EXPECT_EQ(run.status, RunStatus::reached) << run.message;
         EXPECT_TRUE(world.goal_holds());
         EXPECT_EQ(world.happened().size(), 3u);
@@ -197,7 +198,8 @@ TEST(Failure, ARobotIsAskedWhatTheActionMayHaveChanged) {
 TEST(Failure, ProbabilitiesAreChecked) {
     const Carrying test;
     for (const double wrong : {-0.1, 1.1, std::nan("")})
-        EXPECT_THROW(SimulatedWorld(test.task, test.task->initial_values, 0, 0, wrong), std::invalid_argument);
+        EXPECT_THROW(SimulatedWorld(test.task, test.task->initial_values, 0, 0, wrong),
+                     std::invalid_argument);
 }
 
 TEST(Failure, HalfOfTheFailedActionsHappen) {

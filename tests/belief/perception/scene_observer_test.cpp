@@ -23,9 +23,9 @@ using Json = nlohmann::json;
 constexpr Colour kRed{220, 40, 40};
 
 Json settings(const std::string& url = "http://127.0.0.1:1/v1") {
-    return Json::parse(R"({
-      "service": {"url": ")" +
-                       url + R"(", "model": "m", "timeout": 5, "attempts": 1,
+    return Json::parse(R"json({
+      "service": {"url": ")json" +
+                       url + R"json(", "model": "m", "timeout": 5, "attempts": 1,
                   "prompt_price": 10, "completion_price": 10},
       "record": {"file": "answers.jsonl"},
       "questions": {"accuracy": 0.9, "predicates": {"inside": {"sentence": "Is {0} inside {1}?"}},
@@ -38,7 +38,7 @@ Json settings(const std::string& url = "http://127.0.0.1:1/v1") {
            "at": [-0.3, 0.2, 0], "open": "(open drawer)"},
           {"name": "cup", "shape": "cylinder", "colour": [220, 40, 40], "size": [0.1, 0.1, 0.08],
            "places": [{"if": "(inside cup drawer)", "at": [-0.3, 0.2, 0.02]},
-                      {"if": "(held cup)", "at": [0.3, -0.2, 0]}]}]}})");
+                      {"if": "(held cup)", "at": [0.3, -0.2, 0]}]}]}})json");
 }
 
 class Folder {
@@ -139,8 +139,9 @@ TEST(SceneObservers, StopAtTheCostLimit) {
 TEST(SceneObservers, MayRefuseAtomsOfTheScene) {
     const Folder folder;
     const SceneObservers observers(read_scene_observer(folder.write(settings())));
-    EXPECT_THROW(observers.look_at([](const AtomName&) -> bool { throw std::invalid_argument("no such atom"); }),
-                 std::invalid_argument);
+    EXPECT_THROW(
+        observers.look_at([](const AtomName&) -> bool { throw std::invalid_argument("no such atom"); }),
+        std::invalid_argument);
 }
 
 TEST(SceneObservers, ErrorsNameThePlace) {
@@ -157,14 +158,16 @@ TEST(SceneObservers, ErrorsNameThePlace) {
     EXPECT_TRUE(contains(broken("/record/mode", "sometimes"), "must be record, cache or replay"));
     EXPECT_TRUE(contains(broken("/questions/accuracy", 0.4), "'accuracy' must be a number"));
     EXPECT_TRUE(contains(broken("/questions/objects/cup", 3), "'cup' must be a text"));
-    EXPECT_TRUE(contains(broken("/scene/bodies/0/colour", {1, 2}), "'bodies' 1: 'colour' must be a list of 3"));
+    EXPECT_TRUE(
+        contains(broken("/scene/bodies/0/colour", {1, 2}), "'bodies' 1: 'colour' must be a list of 3"));
     EXPECT_TRUE(contains(broken("/scene/bodies/0/shape", "egg"), "must be cylinder, box, tray or drawer"));
     EXPECT_TRUE(contains(broken("/scene/bodies/0/open", "open drawer"), "must be an atom"));
     EXPECT_TRUE(contains(broken("/scene/bodies/1/places", Json::array()), "must be a list of objects"));
     EXPECT_TRUE(contains(broken("/scene/cameras/0/side", "below"), "must be above or front"));
     EXPECT_TRUE(contains(broken("/scene", 7), "'scene' must be an object"));
     EXPECT_TRUE(contains(perception_error([] { read_scene_observer("/nowhere/o.json"); }), "cannot read"));
-    EXPECT_TRUE(contains(perception_error([] { Settings::parse("{]", "o.json"); }), "o.json: no JSON object"));
+    EXPECT_TRUE(
+        contains(perception_error([] { Settings::parse("{]", "o.json"); }), "o.json: no JSON object"));
 }
 
 }  // namespace
