@@ -83,6 +83,7 @@ TEST_F(ObserverCommand, AServiceThatFailsEndsTheRunWithItsWords) {
 }
 
 TEST_F(ObserverCommand, WrongSettingsAreWrongInput) {
+    folder.write("answers.jsonl", "");
     write("", "replay", "(in b7)");
     const Outcome atom = belief({});
     EXPECT_EQ(atom.exit_code, 31);
