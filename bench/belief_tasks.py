@@ -86,6 +86,8 @@ def execute(domain, problem, noise, policy, belief, options):
                    "--quiet"]
         if options.failures:
             command += ["--failures", str(options.failures)]
+        if options.risk:
+            command += ["--risk", str(options.risk)]
         if policy != "plan":
             command += ["--policy", policy]
         if belief:
@@ -158,6 +160,7 @@ def main():
     parser.add_argument("--policies", default="plan,random,random-any,sense-first")
     parser.add_argument("--beliefs", default="bayes,sticky", help="'' leaves the choice to the command")
     parser.add_argument("--failures", type=float, default=0, help="probability that an action fails")
+    parser.add_argument("--risk", type=float, default=0, help="what unlikely outcomes cost in plans")
     parser.add_argument("--max-steps", type=int, default=40)
     parser.add_argument("--only", default="", metavar="REGEX", help="only problems whose name has it")
     parser.add_argument("--all", action="store_true", help="the contingent classics, too")
