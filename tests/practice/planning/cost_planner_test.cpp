@@ -14,8 +14,8 @@ namespace {
 using test::Tokens;
 
 Tokens random_tokens() {
-    const int tokens = *rc::gen::inRange(1, 4);
-    const int places = *rc::gen::inRange(2, 6);
+    const int tokens = *rc::gen::inRange(1, 3);
+    const int places = *rc::gen::inRange(2, 5);
     Tokens::Edges edges;
     for (int a = 0; a < places; ++a) {
         for (int b = 0; b < places; ++b) {
@@ -123,7 +123,7 @@ RC_GTEST_PROP(CostPlanner, plans_are_cheapest_however_they_were_found, ()) {
 RC_GTEST_PROP(CostPlanner, expected_costs_are_those_of_planning_anew, ()) {
     const Tokens environment = random_tokens();
     const SkillTask skills(environment);
-    CostPlanner planner(skills, {.threads = 2});
+    CostPlanner planner(skills, {.large = *rc::gen::element<std::size_t>(0, 10'000), .threads = 2});
     const Situation first = task_of(environment, skills);
     std::vector<Situation> situations = {first, first};
     for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
