@@ -14,17 +14,23 @@ struct CostPlanner::GoalTable {
     std::vector<NodeIndex> nodes;  // where the goal holds
     std::vector<Cost> costs;       // those of the last question
     std::vector<Cost> distances;   // by node for `costs`, or empty
-    std::size_t looked_at = 0;     // nodes, to find ways with `costs`
-};
-
-/// A situation that occurs `weight` times.
-struct CostPlanner::Case {
-    GoalTable* goal;
-    NodeIndex node;
-    double weight;
 };
 
 namespace {
+
+/// The situations of one goal: each node once, and how often.
+struct Group {
+    std::vector<NodeIndex> nodes;
+    std::vector<double> weights;
+};
+
+double weighted(const Group& group, std::span<const Cost> distances) {
+    double sum = 0;
+    for (std::size_t i = 0; i < group.nodes.size(); ++i) {
+        if (distances[i] != kNoPlan) sum += group.weights[i] * nats(distances[i]);
+    }
+    return sum;
+}
 
 /// Calls work(thread, i) for all i below `count`.
 template <class Work>
@@ -40,8 +46,6 @@ void in_parallel(int threads, std::size_t count, Work&& work) {
 }
 
 constexpr std::size_t kWorthAThread = 200'000;  // edges that the threads may have to look at
-constexpr std::size_t kSmallRegion = 1000;
-constexpr std::size_t kLargestRegion = 8;  // this part of all states
 
 }  // namespace
 
@@ -49,10 +53,7 @@ CostPlanner::CostPlanner(const SkillTask& skills, const CostPlannerOptions& opti
     : skills_(&skills), options_(options), graph_(skills, options.most_states) {
     if (options.threads < 1) throw std::invalid_argument("a planner needs at least one thread");
     configuration(options.search);
-    for (int thread = 0; thread < options.threads; ++thread) {
-        scratch_.emplace_back(graph_.graph());
-        regions_.emplace_back(graph_.graph());
-    }
+    for (int thread = 0; thread < options.threads; ++thread) scratch_.emplace_back(graph_);
 }
 
 CostPlanner::~CostPlanner() = default;
@@ -85,7 +86,7 @@ std::optional<SkillPlan> CostPlanner::descend(const GoalTable& table, NodeIndex 
     if (table.distances[node] == kNoPlan) return std::nullopt;
     SkillPlan plan{{}, table.distances[node]};
     while (table.distances[node] > 0) {
-        for (const SkillGraph::Edge& edge : graph_.graph().forward(node)) {
+        for (const StateGraph::Edge& edge : graph_.forward(node)) {
             if (table.distances[edge.node] == kNoPlan ||
                 table.distances[edge.node] + costs[edge.skill] != table.distances[node])
                 continue;
@@ -102,18 +103,15 @@ std::optional<SkillPlan> CostPlanner::plan(const Situation& situation, std::span
     NodeIndex node = 0;
     if (!graph_.reach(situation.values, node)) return search(situation, costs);
     GoalTable& goal = table(situation.goal);
-    if (!std::ranges::equal(goal.costs, costs)) {
-        goal.costs.assign(costs.begin(), costs.end());
-        goal.distances.clear();
-        goal.looked_at = 0;
+    const bool again = std::ranges::equal(goal.costs, costs);
+    if (again) {
+        update(goal, costs);
+        return descend(goal, node, costs);
     }
-    // Ways are cheap where goals are near; a table is worth it once they have cost as much as one.
-    if (goal.looked_at > graph_.size()) update(goal, costs);
-    if (!goal.distances.empty()) return descend(goal, node, costs);
+    goal.costs.assign(costs.begin(), costs.end());
+    goal.distances.clear();
     SkillPlan plan;
-    const bool found = scratch_[0].way(node, goal.nodes, costs, plan.skills, plan.cost);
-    goal.looked_at += scratch_[0].looked_at();
-    if (!found) return std::nullopt;
+    if (!scratch_[0].way(node, goal.nodes, costs, plan.skills, plan.cost)) return std::nullopt;
     return plan;
 }
 
@@ -126,97 +124,57 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
         if (!graph_.reach(situations[i].values, start[i]))
             return search_costs(situations, costs, improvements);
     }
-    std::vector<Case> cases;
+    std::vector<GoalTable*> goals;
+    std::vector<Group> groups;
+    double solvable = 0;
     for (std::size_t i = 0; i < situations.size(); ++i) {
         GoalTable& goal = table(situations[i].goal);
-        const auto same =
-            std::ranges::find_if(cases, [&](const Case& c) { return c.goal == &goal && c.node == start[i]; });
-        if (same != cases.end())
-            same->weight += 1;
-        else
-            cases.push_back({&goal, start[i], 1});
-    }
-    std::vector<double> sums(improvements.size() + 1, 0);  // the last: how many have a plan
-    if (graph_.size() > options_.large) cases = add_by_regions(cases, costs, improvements, sums);
-    add_by_tables(cases, costs, improvements, sums);
-    const double solvable = sums.back();
-    sums.pop_back();
-    for (double& sum : sums) sum = solvable > 0 ? sum / solvable : std::numeric_limits<double>::infinity();
-    return sums;
-}
-
-void CostPlanner::add_by_tables(std::span<const Case> cases, std::span<const Cost> costs,
-                                std::span<const Improvement> improvements, std::span<double> sums) {
-    std::vector<GoalTable*> goals;
-    std::vector<std::vector<NodeIndex>> nodes;  // by goal
-    std::vector<std::vector<double>> weights;
-    for (const Case& one : cases) {
-        const auto place = static_cast<std::size_t>(std::ranges::find(goals, one.goal) - goals.begin());
-        if (place == goals.size()) {
-            update(*one.goal, costs);
-            goals.push_back(one.goal);
-            nodes.emplace_back();
-            weights.emplace_back();
+        const auto known = static_cast<std::size_t>(std::ranges::find(goals, &goal) - goals.begin());
+        if (known == goals.size()) {
+            update(goal, costs);
+            goals.push_back(&goal);
+            groups.emplace_back();
         }
-        if (one.goal->distances[one.node] == kNoPlan) continue;
-        nodes[place].push_back(one.node);
-        weights[place].push_back(one.weight);
-        sums.back() += one.weight;
+        if (goal.distances[start[i]] == kNoPlan) continue;
+        solvable += 1;
+        Group& group = groups[known];
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(group.nodes, start[i]) - group.nodes.begin());
+        if (place == group.nodes.size()) {
+            group.nodes.push_back(start[i]);
+            group.weights.push_back(0);
+        }
+        group.weights[place] += 1;
     }
+    if (solvable == 0)
+        return std::vector<double>(improvements.size(), std::numeric_limits<double>::infinity());
+
     const auto sum_of = [&](int thread, const Improvement& improvement) {
         ShortestPaths& paths = scratch_[static_cast<std::size_t>(thread)];
         double sum = 0;
         std::vector<Cost> result;
         for (std::size_t g = 0; g < goals.size(); ++g) {
-            result.resize(nodes[g].size());
+            const Group& group = groups[g];
+            result.resize(group.nodes.size());
             if (improvement.cost <= costs[improvement.skill]) {
-                paths.cheaper(goals[g]->distances, costs, improvement.skill, improvement.cost, nodes[g],
+                paths.cheaper(goals[g]->distances, costs, improvement.skill, improvement.cost, group.nodes,
                               result);
             } else {
                 std::vector<Cost> changed(costs.begin(), costs.end());
                 std::vector<Cost> distances;
                 changed[improvement.skill] = improvement.cost;
                 paths.to_goals(goals[g]->nodes, changed, distances);
-                for (std::size_t i = 0; i < result.size(); ++i) result[i] = distances[nodes[g][i]];
+                for (std::size_t i = 0; i < result.size(); ++i) result[i] = distances[group.nodes[i]];
             }
-            for (std::size_t i = 0; i < result.size(); ++i) sum += weights[g][i] * nats(result[i]);
+            sum += weighted(group, result);
         }
-        return sum;
+        return sum / solvable;
     };
-    const bool many = improvements.size() * goals.size() * graph_.graph().edge_count() > kWorthAThread;
+    std::vector<double> means(improvements.size());
+    const bool many = improvements.size() * goals.size() * graph_.edge_count() > kWorthAThread;
     in_parallel(many ? options_.threads : 1, improvements.size(),
-                [&](int thread, std::size_t i) { sums[i] += sum_of(thread, improvements[i]); });
-}
-
-/// Returns the cases whose regions are too large.
-std::vector<CostPlanner::Case> CostPlanner::add_by_regions(std::span<const Case> cases,
-                                                           std::span<const Cost> costs,
-                                                           std::span<const Improvement> improvements,
-                                                           std::span<double> sums) {
-    std::vector<Cost> lower(costs.begin(), costs.end());
-    for (const Improvement& improvement : improvements)
-        lower[improvement.skill] = std::min(lower[improvement.skill], improvement.cost);
-    std::vector<std::vector<double>> parts(cases.size());
-    std::vector<unsigned char> too_large(cases.size(), 0);
-    in_parallel(options_.threads, cases.size(), [&](int thread, std::size_t i) {
-        Region& region = regions_[static_cast<std::size_t>(thread)];
-        const std::vector<NodeIndex>& goals = cases[i].goal->nodes;
-        if (region.begin(cases[i].node, goals, costs) == kNoPlan) return;
-        too_large[i] =
-            !region.make(goals, costs, lower, std::max(kSmallRegion, graph_.size() / kLargestRegion));
-        if (too_large[i] != 0) return;
-        for (const Improvement& improvement : improvements)
-            parts[i].push_back(cases[i].weight * nats(region.improved(costs, goals, improvement)));
-        parts[i].push_back(cases[i].weight);
-    });
-    for (const std::vector<double>& part : parts) {
-        for (std::size_t i = 0; i < part.size(); ++i) sums[i] += part[i];
-    }
-    std::vector<Case> others;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (too_large[i] != 0) others.push_back(cases[i]);
-    }
-    return others;
+                [&](int thread, std::size_t i) { means[i] = sum_of(thread, improvements[i]); });
+    return means;
 }
 
 std::optional<SkillPlan> CostPlanner::search(const Situation& situation, std::span<const Cost> costs) const {

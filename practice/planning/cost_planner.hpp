@@ -7,15 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "practice/planning/region.hpp"
-#include "practice/planning/state_graph.hpp"
+#include "practice/planning/shortest_paths.hpp"
 
 namespace praxis::practice {
 
@@ -31,14 +29,17 @@ struct Situation {
     friend bool operator==(const Situation&, const Situation&) = default;
 };
 
+/// What if a skill cost this?
+struct Improvement {
+    SkillIndex skill;
+    Cost cost;
+};
+
 struct CostPlannerOptions {
     std::size_t most_states = 200'000;
     std::string search = "astar(lmcut())";  ///< for tasks with more states
     double search_seconds = 10;             ///< for each such search
-    /// Where there are more states than this, improvements are looked for near each situation, not
-    /// everywhere.
-    std::size_t large = 10'000;
-    int threads = 1;  ///< for many situations or improvements
+    int threads = 1;                        ///< for many situations or improvements
 };
 
 class CostPlanner {
@@ -46,8 +47,6 @@ class CostPlanner {
     /// Throws std::invalid_argument for a wrong search.
     explicit CostPlanner(const SkillTask& skills, const CostPlannerOptions& options = {});
     ~CostPlanner();
-    CostPlanner(const CostPlanner&) = delete;
-    CostPlanner& operator=(const CostPlanner&) = delete;
 
     /// A cheapest plan; `costs` by skill. None: there is no plan, or (beyond `most_states`) none was found in
     /// time.
@@ -65,11 +64,6 @@ class CostPlanner {
     struct GoalTable;
     GoalTable& table(const std::vector<Fact>& goal);
     void update(GoalTable& table, std::span<const Cost> costs);
-    struct Case;
-    void add_by_tables(std::span<const Case> cases, std::span<const Cost> costs,
-                       std::span<const Improvement> improvements, std::span<double> sums);
-    std::vector<Case> add_by_regions(std::span<const Case> cases, std::span<const Cost> costs,
-                                     std::span<const Improvement> improvements, std::span<double> sums);
     std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
                                      std::span<const Cost> costs) const;
     std::optional<SkillPlan> search(const Situation& situation, std::span<const Cost> costs) const;
@@ -80,7 +74,6 @@ class CostPlanner {
     CostPlannerOptions options_;
     StateGraph graph_;
     std::vector<ShortestPaths> scratch_;  // by thread
-    std::deque<Region> regions_;          // by thread
     std::vector<std::unique_ptr<GoalTable>> tables_;
 };
 

@@ -37,7 +37,7 @@ void ShortestPaths::to_goals(std::span<const NodeIndex> goals, std::span<const C
     while (!heap_.empty()) {
         const Entry entry = pop();
         if (entry.distance > distances[entry.node]) continue;
-        for (const SkillGraph::Edge& edge : graph_->backward(entry.node)) {
+        for (const StateGraph::Edge& edge : graph_->backward(entry.node)) {
             const Cost distance = entry.distance + costs[edge.skill];
             if (distance >= distances[edge.node]) continue;
             distances[edge.node] = distance;
@@ -50,7 +50,6 @@ bool ShortestPaths::way(NodeIndex from, std::span<const NodeIndex> goals, std::s
                         std::vector<SkillIndex>& skills, Cost& cost) {
     begin();
     skills.clear();
-    looked_at_ = 0;
     for (NodeIndex goal : goals) goal_stamps_[goal] = stamp_;
     stamps_[from] = stamp_;
     scratch_[from] = 0;
@@ -58,7 +57,6 @@ bool ShortestPaths::way(NodeIndex from, std::span<const NodeIndex> goals, std::s
     while (!heap_.empty()) {
         const Entry entry = pop();
         if (entry.distance > scratch_[entry.node]) continue;
-        ++looked_at_;
         if (goal_stamps_[entry.node] == stamp_) {
             cost = entry.distance;
             for (NodeIndex node = entry.node; node != from; node = parents_[node].first)
@@ -66,7 +64,7 @@ bool ShortestPaths::way(NodeIndex from, std::span<const NodeIndex> goals, std::s
             std::reverse(skills.begin(), skills.end());
             return true;
         }
-        for (const SkillGraph::Edge& edge : graph_->forward(entry.node)) {
+        for (const StateGraph::Edge& edge : graph_->forward(entry.node)) {
             const Cost distance = entry.distance + costs[edge.skill];
             if (seen(edge.node) && distance >= scratch_[edge.node]) continue;
             stamps_[edge.node] = stamp_;
@@ -76,29 +74,6 @@ bool ShortestPaths::way(NodeIndex from, std::span<const NodeIndex> goals, std::s
         }
     }
     return false;
-}
-
-bool ShortestPaths::nearby(NodeIndex from, std::span<const Cost> costs, Cost limit, std::size_t most,
-                           std::vector<NodeIndex>& nodes) {
-    begin();
-    nodes.clear();
-    stamps_[from] = stamp_;
-    scratch_[from] = 0;
-    push(0, from);
-    while (!heap_.empty()) {
-        const Entry entry = pop();
-        if (entry.distance > scratch_[entry.node]) continue;
-        if (nodes.size() == most) return false;
-        nodes.push_back(entry.node);
-        for (const SkillGraph::Edge& edge : graph_->forward(entry.node)) {
-            const Cost distance = entry.distance + costs[edge.skill];
-            if (distance >= limit || (seen(edge.node) && distance >= scratch_[edge.node])) continue;
-            stamps_[edge.node] = stamp_;
-            scratch_[edge.node] = distance;
-            push(distance, edge.node);
-        }
-    }
-    return true;
 }
 
 void ShortestPaths::cheaper(std::span<const Cost> distances, std::span<const Cost> costs, SkillIndex skill,
@@ -113,14 +88,14 @@ void ShortestPaths::cheaper(std::span<const Cost> distances, std::span<const Cos
     };
     Cost farthest = 0;
     for (NodeIndex node : nodes) farthest = std::max(farthest, distances[node]);
-    for (const SkillGraph::Arc& arc : graph_->arcs(skill)) {
+    for (const StateGraph::Arc& arc : graph_->arcs(skill)) {
         if (distances[arc.to] != kNoPlan) improve(arc.from, distances[arc.to] + cost);
     }
     while (!heap_.empty()) {
         const Entry entry = pop();
         if (entry.distance >= farthest) break;
         if (entry.distance > scratch_[entry.node]) continue;
-        for (const SkillGraph::Edge& edge : graph_->backward(entry.node))
+        for (const StateGraph::Edge& edge : graph_->backward(entry.node))
             improve(edge.node, entry.distance + (edge.skill == skill ? cost : costs[edge.skill]));
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) result[i] = now(nodes[i]);

@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "practice/planning/skill_graph.hpp"
+#include "practice/planning/state_graph.hpp"
 #include "practice/planning/success_cost.hpp"
 
 namespace praxis::practice {
 
 class ShortestPaths {
   public:
-    explicit ShortestPaths(const SkillGraph& graph) : graph_(&graph) {}
+    explicit ShortestPaths(const StateGraph& graph) : graph_(&graph) {}
 
     /// By node, the cost of the cheapest plan to a goal node; kNoPlan where there is none. `costs`: by skill.
     void to_goals(std::span<const NodeIndex> goals, std::span<const Cost> costs,
@@ -35,12 +35,6 @@ class ShortestPaths {
     void cheaper(std::span<const Cost> distances, std::span<const Cost> costs, SkillIndex skill, Cost cost,
                  std::span<const NodeIndex> nodes, std::span<Cost> result);
 
-    /// The nodes nearer than `limit` to `from`, nearest first; more than `most` are given up: false.
-    bool nearby(NodeIndex from, std::span<const Cost> costs, Cost limit, std::size_t most,
-                std::vector<NodeIndex>& nodes);
-    /// Nodes that the last `way` has looked at.
-    std::size_t looked_at() const { return looked_at_; }
-
   private:
     struct Entry {
         Cost distance;
@@ -55,9 +49,8 @@ class ShortestPaths {
     void begin();
     bool seen(NodeIndex node) const { return stamps_[node] == stamp_; }
 
-    const SkillGraph* graph_;
+    const StateGraph* graph_;
     std::vector<Entry> heap_;
-    std::size_t looked_at_ = 0;
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> stamps_;  // by node: `scratch_` is of now
     std::vector<Cost> scratch_;          // by node

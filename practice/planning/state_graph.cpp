@@ -6,7 +6,8 @@ StateGraph::StateGraph(const SkillTask& skills, std::size_t most_states)
     : skills_(&skills),
       parts_(&skills.prepared()->parts()),
       registry_(parts_->packer, 0),
-      most_states_(most_states) {}
+      most_states_(most_states),
+      first_edge_{0} {}
 
 bool StateGraph::reach(const std::vector<std::int32_t>& values, NodeIndex& node) {
     if (overflowed_) return false;
@@ -20,7 +21,7 @@ bool StateGraph::reach(const std::vector<std::int32_t>& values, NodeIndex& node)
 void StateGraph::expand_all() {
     std::vector<std::int32_t> values(skills_->task().variable_count());
     AxiomEvaluator::Scratch scratch;
-    for (std::size_t node = graph_.size(); node < registry_.size(); ++node) {
+    for (std::size_t node = first_edge_.size() - 1; node < registry_.size(); ++node) {
         if (registry_.size() > most_states_) {
             overflowed_ = true;
             return;
@@ -32,11 +33,34 @@ void StateGraph::expand_all() {
             parts_->transitions.apply(id, values.data(), registry_.candidate_from(state));
             const auto [child, added] = registry_.intern();
             if (child != state)
-                graph_.add_edge(static_cast<SkillIndex>(id.index()), static_cast<NodeIndex>(child.index()));
+                edges_.push_back(
+                    {static_cast<SkillIndex>(id.index()), static_cast<NodeIndex>(child.index())});
         });
-        graph_.close_node();
+        first_edge_.push_back(edges_.size());
     }
-    graph_.index(skills_->size());
+    index_edges();
+}
+
+void StateGraph::index_edges() {
+    const std::size_t nodes = size();
+    first_backward_.assign(nodes + 1, 0);
+    first_arc_.assign(skills_->size() + 1, 0);
+    for (const Edge& edge : edges_) {
+        ++first_backward_[edge.node + 1];
+        ++first_arc_[edge.skill + 1];
+    }
+    for (std::size_t i = 0; i < nodes; ++i) first_backward_[i + 1] += first_backward_[i];
+    for (std::size_t i = 0; i < skills_->size(); ++i) first_arc_[i + 1] += first_arc_[i];
+    backward_.resize(edges_.size());
+    arcs_.resize(edges_.size());
+    std::vector<std::size_t> next_backward(first_backward_.begin(), first_backward_.end() - 1);
+    std::vector<std::size_t> next_arc(first_arc_.begin(), first_arc_.end() - 1);
+    for (NodeIndex node = 0; node < nodes; ++node) {
+        for (const Edge& edge : forward(node)) {
+            backward_[next_backward[edge.node]++] = {edge.skill, node};
+            arcs_[next_arc[edge.skill]++] = {node, edge.node};
+        }
+    }
 }
 
 std::vector<NodeIndex> StateGraph::where(std::span<const Fact> facts) const {

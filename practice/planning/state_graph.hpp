@@ -12,13 +12,20 @@
 #include <span>
 #include <vector>
 
-#include "practice/planning/skill_graph.hpp"
+#include "practice/planning/skill_task.hpp"
 #include "search/state/state_registry.hpp"
 
 namespace praxis::practice {
 
+using NodeIndex = std::uint32_t;
+
 class StateGraph {
   public:
+    struct Edge {
+        SkillIndex skill;
+        NodeIndex node;  ///< forward: where it leads to; backward: where it comes from
+    };
+
     StateGraph(const SkillTask& skills, std::size_t most_states);
 
     /// The node of a state, and all that is reachable from it. False: the limit was reached; the graph is of
@@ -27,19 +34,38 @@ class StateGraph {
     bool overflowed() const { return overflowed_; }
 
     std::size_t size() const { return registry_.size(); }
-    const SkillGraph& graph() const { return graph_; }
+    std::size_t edge_count() const { return edges_.size(); }
+    std::span<const Edge> forward(NodeIndex node) const {
+        return {edges_.data() + first_edge_[node], edges_.data() + first_edge_[node + 1]};
+    }
+    std::span<const Edge> backward(NodeIndex node) const {
+        return {backward_.data() + first_backward_[node], backward_.data() + first_backward_[node + 1]};
+    }
+    /// The edges of one skill: pairs of nodes (from, to).
+    struct Arc {
+        NodeIndex from, to;
+    };
+    std::span<const Arc> arcs(SkillIndex skill) const {
+        return {arcs_.data() + first_arc_[skill], arcs_.data() + first_arc_[skill + 1]};
+    }
     /// The nodes where all facts hold.
     std::vector<NodeIndex> where(std::span<const Fact> facts) const;
 
   private:
     void expand_all();
+    void index_edges();
 
     const SkillTask* skills_;
     const PreparedTask::Parts* parts_;
     StateRegistry registry_;
     std::size_t most_states_;
     bool overflowed_ = false;
-    SkillGraph graph_;
+    std::vector<std::size_t> first_edge_;
+    std::vector<Edge> edges_;
+    std::vector<std::size_t> first_backward_;
+    std::vector<Edge> backward_;
+    std::vector<std::size_t> first_arc_;
+    std::vector<Arc> arcs_;
 };
 
 }  // namespace praxis::practice

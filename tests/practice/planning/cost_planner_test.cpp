@@ -123,7 +123,7 @@ RC_GTEST_PROP(CostPlanner, plans_are_cheapest_however_they_were_found, ()) {
 RC_GTEST_PROP(CostPlanner, expected_costs_are_those_of_planning_anew, ()) {
     const Tokens environment = random_tokens();
     const SkillTask skills(environment);
-    CostPlanner planner(skills, {.large = *rc::gen::element<std::size_t>(0, 10'000), .threads = 2});
+    CostPlanner planner(skills, {.threads = 2});
     const Situation first = task_of(environment, skills);
     std::vector<Situation> situations = {first, first};
     for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
