@@ -18,20 +18,6 @@ struct CostPlanner::GoalTable {
 
 namespace {
 
-/// The situations of one goal: each node once, and how often.
-struct Group {
-    std::vector<NodeIndex> nodes;
-    std::vector<double> weights;
-};
-
-double weighted(const Group& group, std::span<const Cost> distances) {
-    double sum = 0;
-    for (std::size_t i = 0; i < group.nodes.size(); ++i) {
-        if (distances[i] != kNoPlan) sum += group.weights[i] * nats(distances[i]);
-    }
-    return sum;
-}
-
 /// Calls work(thread, i) for all i below `count`.
 template <class Work>
 void in_parallel(int threads, std::size_t count, Work&& work) {
@@ -46,6 +32,12 @@ void in_parallel(int threads, std::size_t count, Work&& work) {
 }
 
 constexpr std::size_t kWorthAThread = 200'000;  // edges that the threads may have to look at
+
+std::vector<Cost> least_costs(std::span<const Cost> costs, std::span<const Improvement> improvements) {
+    std::vector<Cost> least(costs.begin(), costs.end());
+    for (const auto [skill, cost] : improvements) least[skill] = std::min(least[skill], cost);
+    return least;
+}
 
 }  // namespace
 
@@ -78,7 +70,7 @@ CostPlanner::GoalTable& CostPlanner::table(const std::vector<Fact>& goal) {
 void CostPlanner::update(GoalTable& table, std::span<const Cost> costs) {
     if (!table.distances.empty() && std::ranges::equal(table.costs, costs)) return;
     table.costs.assign(costs.begin(), costs.end());
-    scratch_[0].to_goals(table.nodes, costs, table.distances);
+    scratch_[0].paths.to_goals(table.nodes, costs, table.distances);
 }
 
 std::optional<SkillPlan> CostPlanner::descend(const GoalTable& table, NodeIndex node,
@@ -111,7 +103,7 @@ std::optional<SkillPlan> CostPlanner::plan(const Situation& situation, std::span
     goal.costs.assign(costs.begin(), costs.end());
     goal.distances.clear();
     SkillPlan plan;
-    if (!scratch_[0].way(node, goal.nodes, costs, plan.skills, plan.cost)) return std::nullopt;
+    if (!scratch_[0].paths.way(node, goal.nodes, costs, plan.skills, plan.cost)) return std::nullopt;
     return plan;
 }
 
@@ -124,57 +116,65 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
         if (!graph_.reach(situations[i].values, start[i]))
             return search_costs(situations, costs, improvements);
     }
-    std::vector<GoalTable*> goals;
-    std::vector<Group> groups;
-    double solvable = 0;
-    for (std::size_t i = 0; i < situations.size(); ++i) {
-        GoalTable& goal = table(situations[i].goal);
-        const auto known = static_cast<std::size_t>(std::ranges::find(goals, &goal) - goals.begin());
-        if (known == goals.size()) {
-            update(goal, costs);
-            goals.push_back(&goal);
-            groups.emplace_back();
-        }
-        if (goal.distances[start[i]] == kNoPlan) continue;
-        solvable += 1;
-        Group& group = groups[known];
-        const auto place =
-            static_cast<std::size_t>(std::ranges::find(group.nodes, start[i]) - group.nodes.begin());
-        if (place == group.nodes.size()) {
-            group.nodes.push_back(start[i]);
-            group.weights.push_back(0);
-        }
-        group.weights[place] += 1;
+    const std::vector<Task> tasks = distinct(situations, start);
+    const std::vector<Cost> least = least_costs(costs, improvements);
+    const std::size_t edges = tasks.size() * improvements.size() * graph_.edge_count();
+    const int threads = edges > kWorthAThread ? options_.threads : 1;
+    // One row a task, so that the sum does not depend on the threads.
+    const std::size_t width = improvements.size();
+    std::vector<double> rows(tasks.size() * width, 0);
+    std::vector<unsigned char> solvable(tasks.size());
+    in_parallel(threads, tasks.size(), [&](int thread, std::size_t i) {
+        solvable[i] = weigh(scratch_[static_cast<std::size_t>(thread)], tasks[i],
+                            {costs, least, improvements}, std::span(rows).subspan(i * width, width));
+    });
+    std::vector<double> means(width, 0);
+    double weight = 0;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (!solvable[i]) continue;
+        weight += tasks[i].weight;
+        for (std::size_t j = 0; j < width; ++j) means[j] += rows[i * width + j];
     }
-    if (solvable == 0)
-        return std::vector<double>(improvements.size(), std::numeric_limits<double>::infinity());
-
-    const auto sum_of = [&](int thread, const Improvement& improvement) {
-        ShortestPaths& paths = scratch_[static_cast<std::size_t>(thread)];
-        double sum = 0;
-        std::vector<Cost> result;
-        for (std::size_t g = 0; g < goals.size(); ++g) {
-            const Group& group = groups[g];
-            result.resize(group.nodes.size());
-            if (improvement.cost <= costs[improvement.skill]) {
-                paths.cheaper(goals[g]->distances, costs, improvement.skill, improvement.cost, group.nodes,
-                              result);
-            } else {
-                std::vector<Cost> changed(costs.begin(), costs.end());
-                std::vector<Cost> distances;
-                changed[improvement.skill] = improvement.cost;
-                paths.to_goals(goals[g]->nodes, changed, distances);
-                for (std::size_t i = 0; i < result.size(); ++i) result[i] = distances[group.nodes[i]];
-            }
-            sum += weighted(group, result);
-        }
-        return sum / solvable;
-    };
-    std::vector<double> means(improvements.size());
-    const bool many = improvements.size() * goals.size() * graph_.edge_count() > kWorthAThread;
-    in_parallel(many ? options_.threads : 1, improvements.size(),
-                [&](int thread, std::size_t i) { means[i] = sum_of(thread, improvements[i]); });
+    for (double& mean : means) mean = weight > 0 ? mean / weight : std::numeric_limits<double>::infinity();
     return means;
+}
+
+std::vector<CostPlanner::Task> CostPlanner::distinct(std::span<const Situation> situations,
+                                                     std::span<const NodeIndex> nodes) {
+    std::vector<Task> tasks;
+    for (std::size_t i = 0; i < situations.size(); ++i) {
+        const GoalTable* goal = &table(situations[i].goal);
+        const auto same = std::ranges::find_if(
+            tasks, [&](const Task& task) { return task.from == nodes[i] && task.goal == goal; });
+        if (same != tasks.end())
+            same->weight += 1;
+        else
+            tasks.push_back({nodes[i], goal, 1});
+    }
+    return tasks;
+}
+
+bool CostPlanner::weigh(Scratch& scratch, const Task& task, const Question& question,
+                        std::span<double> result) {
+    const auto& [costs, least, improvements] = question;
+    std::vector<SkillIndex> plan;
+    Cost plan_cost = 0;
+    if (!scratch.paths.way(task.from, task.goal->nodes, costs, plan, plan_cost)) return false;
+    scratch.improved.begin(task.from, task.goal->nodes, costs, least, plan, plan_cost);
+    for (std::size_t i = 0; i < improvements.size(); ++i) {
+        const auto [skill, cost] = improvements[i];
+        Cost improved = plan_cost;
+        if (cost <= costs[skill]) {
+            improved = scratch.improved.cost(improvements[i]);
+        } else if (std::ranges::find(plan, skill) != plan.end()) {
+            std::vector<Cost> changed(costs.begin(), costs.end());
+            changed[skill] = cost;
+            std::vector<SkillIndex> other;
+            scratch.paths.way(task.from, task.goal->nodes, changed, other, improved);
+        }
+        result[i] = task.weight * nats(improved);
+    }
+    return true;
 }
 
 std::optional<SkillPlan> CostPlanner::search(const Situation& situation, std::span<const Cost> costs) const {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "practice/planning/improved_paths.hpp"
 #include "practice/planning/shortest_paths.hpp"
 
 namespace praxis::practice {
@@ -27,12 +28,6 @@ struct Situation {
     std::vector<std::int32_t> values;  ///< by variable, derived ones too
     std::vector<Fact> goal;            ///< sorted
     friend bool operator==(const Situation&, const Situation&) = default;
-};
-
-/// What if a skill cost this?
-struct Improvement {
-    SkillIndex skill;
-    Cost cost;
 };
 
 struct CostPlannerOptions {
@@ -62,6 +57,25 @@ class CostPlanner {
 
   private:
     struct GoalTable;
+    struct Scratch {
+        explicit Scratch(const StateGraph& graph) : paths(graph), improved(graph) {}
+        ShortestPaths paths;
+        ImprovedPaths improved;
+    };
+    /// The situations of one goal and state.
+    struct Task {
+        NodeIndex from;
+        const GoalTable* goal;
+        double weight;  ///< how many there are
+    };
+    struct Question {
+        std::span<const Cost> costs;
+        std::span<const Cost> least;  ///< by skill, with all improvements
+        std::span<const Improvement> improvements;
+    };
+    /// What the plan of a task costs in nats, times its weight, by improvement. False: there is no plan.
+    static bool weigh(Scratch& scratch, const Task& task, const Question& question, std::span<double> result);
+    std::vector<Task> distinct(std::span<const Situation> situations, std::span<const NodeIndex> nodes);
     GoalTable& table(const std::vector<Fact>& goal);
     void update(GoalTable& table, std::span<const Cost> costs);
     std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
@@ -73,7 +87,7 @@ class CostPlanner {
     const SkillTask* skills_;
     CostPlannerOptions options_;
     StateGraph graph_;
-    std::vector<ShortestPaths> scratch_;  // by thread
+    std::vector<Scratch> scratch_;  // by thread
     std::vector<std::unique_ptr<GoalTable>> tables_;
 };
 
