@@ -24,7 +24,11 @@ class ShortestPaths {
     bool way(NodeIndex from, std::span<const NodeIndex> goals, std::span<const Cost> costs,
              std::vector<SkillIndex>& skills, Cost& cost);
 
+    /// Nodes that the last `way` has looked at.
+    std::size_t looked_at() const { return looked_at_; }
+
   private:
+    std::size_t looked_at_ = 0;
     const StateGraph* graph_;
     NodeQueue queue_;
     NodeCosts costs_, goals_;
