@@ -13,6 +13,7 @@ constexpr double kLeastGain = 1e-6;  // nats
 }  // namespace
 
 double PublishedEesMethod::situate(std::span<Candidate> candidates) {
+    if (candidates.empty()) return 0;
     std::vector<Improvement> improvements;
     for (const Candidate& candidate : candidates)
         improvements.push_back({candidate.skill, success_cost(candidate.predicted)});

@@ -50,7 +50,7 @@ class ScoredMethod : public PlannedMethod {
     std::size_t target_ = 0;          // in `ranking_`
     bool chosen_ = false;
     bool attempting_ = false;  // the last decision was the practice itself, not the way there
-    int cycle_ = 0;
+    int cycle_ = 1;
     bool recorded_ = false;  // of this cycle
     std::vector<PracticeChoice> choices_;
 };
