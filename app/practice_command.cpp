@@ -88,18 +88,22 @@ class Conclusion {
         const std::vector<RunResult> runs = experiment_.results();
         const std::vector<EnvironmentResult> results = compare_methods(runs, comparison_);
         report.practice = practice_json(results, comparison_.threshold, experiment_.size());
-        if (runs.empty()) return {};
-        const std::vector<Curve> curves = curves_of(runs);
-        if (!options_.csv.empty()) write_file(options_.csv, curves_to_csv(curves));
-        if (!options_.summary.empty()) write_file(options_.summary, summaries_to_csv(summarise(curves)));
-        if (!options_.svg.empty()) write_charts(curves, results);
-        if (!options_.report.empty()) write_file(options_.report, page(runs));
+        if (!runs.empty()) write_files(runs, results);
         for (const std::string* file : {&options_.csv, &options_.summary, &options_.svg, &options_.report})
             if (*file == "-") return {};
         return practice_table(results, comparison_.threshold, experiment_.size());
     }
 
   private:
+    void write_files(const std::vector<RunResult>& runs,
+                     const std::vector<EnvironmentResult>& results) const {
+        const std::vector<Curve> curves = curves_of(runs);
+        if (!options_.csv.empty()) write_file(options_.csv, curves_to_csv(curves));
+        if (!options_.summary.empty()) write_file(options_.summary, summaries_to_csv(summarise(curves)));
+        if (!options_.svg.empty()) write_charts(curves, results);
+        if (!options_.report.empty()) write_file(options_.report, page(runs));
+    }
+
     void write_charts(const std::vector<Curve>& curves, const std::vector<EnvironmentResult>& results) const {
         const std::vector<CurveSummary> summaries = summarise(curves);
         const bool several = options_.experiment.environments.size() > 1;

@@ -143,7 +143,9 @@ void add_experiment_options(CLI::App& app, ExperimentOptions& options) {
     add("--test-every", practice.test_every, "N",
         "Test after N skills, 0: at the end of a cycle (default: 0)", integer_between(0, kMost));
     add("--test-tasks", practice.test_tasks, "N", "Tasks a test (default: 100)", integer_between(1, kMost));
-    app.add_flag("--no-reset{false}", practice.reset, "Only the first task brings a state of its own")
+    app.add_flag_callback(
+           "--no-reset", [&practice] { practice.reset = false; },
+           "Only the first task brings a state of its own")
         ->group("The experiment");
     add("--threads", options.threads, "N", "Runs at a time (default: the processor's cores)",
         integer_between(1, 1024));

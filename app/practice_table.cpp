@@ -99,10 +99,10 @@ std::string practice_table(std::span<const EnvironmentResult> results, const Thr
         text += section(result, level);
         for (const MethodResult& method : result.methods) finished += method.solved.count;
     }
-    if (finished < runs)
-        text +=
-            "\nOnly " + std::to_string(finished) + " of " + std::to_string(runs) + " runs are finished.\n";
-    return text;
+    if (finished == runs) return text;
+    if (!text.empty()) text += "\n";
+    return text + "Only " + std::to_string(finished) + " of " + std::to_string(runs) +
+           " runs are finished.\n";
 }
 
 }  // namespace praxis::app

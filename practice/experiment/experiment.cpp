@@ -159,6 +159,7 @@ struct Experiment::Implementation {
         {
             const std::stop_callback forward(budget.stop_token(), [&] { work.stop.request_stop(); });
             std::vector<std::jthread> threads;
+            if (!work.queue.empty()) tell(work, nullptr);
             const std::size_t count = std::min(static_cast<std::size_t>(options.threads), work.queue.size());
             for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this, &work] { serve(work); });
         }

@@ -43,9 +43,9 @@ class Experiment {
 
     using OnProgress = std::function<void(const ExperimentProgress&)>;
     /// Makes the runs that are missing; why it ended: Stop::none if all are finished. The budget is looked at
-    /// after each test of a run, its stop token after each skill. `on_progress` is called after each test,
-    /// one call at a time, on the threads of the runs. What a run throws ends the experiment and comes out
-    /// here with the run's name in front, where it is a standard exception other than of memory.
+    /// after each test of a run, its stop token after each skill. `on_progress` is called at the start and
+    /// after each test, one call at a time, also on the threads of the runs. What a run throws ends the
+    /// experiment and comes out here with the run's name in front (lack of memory without it).
     Stop run(const Budget& budget = {}, const OnProgress& on_progress = {});
 
     /// The finished runs, environment by environment, method by method, by seed. May be called from another
