@@ -13,7 +13,8 @@ using practice::GroundAtom, practice::GroundSkill, practice::State, practice::un
 namespace {
 
 // Objects in the order of the description; then the hand, as a place of boxes.
-constexpr std::int32_t kBin = 2, kFirstBox = 4, kHand = 6;
+constexpr std::int32_t kBin = 2, kFirstCupboard = 3, kFirstBox = 6, kHand = 8;
+constexpr std::size_t kCupboards = 3;
 enum Predicate : std::int32_t { at, on, holding, hand_empty, free_scale, weighed_right, open };
 enum Schema : std::int32_t {
     go,
@@ -27,8 +28,10 @@ enum Schema : std::int32_t {
     open_cupboard,
     close_cupboard
 };
-enum Number : std::size_t { robot, is_open, stiffness, boxes };  // then of each box:
+// Numbers of a state: the robot's place; whether each cupboard is open, and how stiff it is; of each box:
 enum BoxNumber : std::size_t { place, weighed, height, box_numbers };
+constexpr std::size_t robot = 0, cupboards = 1, boxes = cupboards + 2 * kCupboards;
+constexpr std::size_t kNumbers = boxes + kBoxes * box_numbers;
 
 constexpr double kSlip = 0.05;  // that a box slips when it is taken
 constexpr double kMost = 10;    // seconds, newtons
@@ -48,6 +51,16 @@ bool some_box(const State& state, std::int32_t where) {
     return false;
 }
 
+double& is_open(State& state, std::int32_t object) {
+    return state[cupboards + 2 * static_cast<std::size_t>(object - kFirstCupboard)];
+}
+bool is_open(const State& state, std::int32_t object) {
+    return state[cupboards + 2 * static_cast<std::size_t>(object - kFirstCupboard)] != 0;
+}
+double stiffness(const State& state, std::int32_t object) {
+    return state[cupboards + 2 * static_cast<std::size_t>(object - kFirstCupboard) + 1];
+}
+
 /// Half, and nearly one within a second (or newton) of the best.
 double chance(double parameter, double feature) {
     const double off = parameter - (2 + 6 * feature);
@@ -65,7 +78,7 @@ Rehearsal::Rehearsal(std::string domain, std::string problem) {
     description_.domain = std::move(domain);
     description_.problem = std::move(problem);
     description_.predicates = {"at", "on", "holding", "hand-empty", "free", "weighed", "open"};
-    description_.objects = {"desk", "balance", "bin", "shelf", "box1", "box2"};
+    description_.objects = {"desk", "balance", "bin", "shelf", "locker", "chest", "box1", "box2"};
     description_.schemas = {{"go", {}, {}, {}},
                             {"take-from-table", {}, {}, {}},
                             {"take-from-scale", {}, {}, {}},
@@ -96,7 +109,7 @@ bool Rehearsal::holds(const State& s, const GroundAtom& atom) const {
         case weighed_right:
             return of(s, box(o[0]), weighed) != 0;
         default:
-            return s[is_open] != 0;
+            return is_open(s, o[0]);
     }
 }
 
@@ -119,7 +132,7 @@ bool Rehearsal::can_start(const State& s, const GroundSkill& skill) const {
             return s[robot] == o[1] && of(s, box(o[0]), place) == o[1];
         default:
             return s[robot] == o[0] && !some_box(s, kHand) &&
-                   (s[is_open] != 0) == (skill.schema == close_cupboard);
+                   is_open(s, o[0]) == (skill.schema == close_cupboard);
     }
 }
 
@@ -130,12 +143,12 @@ void Rehearsal::propose(const State&, const GroundSkill&, praxis::Random& random
 
 void Rehearsal::features(const State& s, const GroundSkill& skill, std::span<double> features) const {
     if (skill.schema == read_display) features[0] = of(s, box(skill.objects[0]), height);
-    if (skill.schema == open_cupboard) features[0] = s[stiffness];
+    if (skill.schema == open_cupboard) features[0] = stiffness(s, skill.objects[0]);
 }
 
 practice::PracticeTask Rehearsal::sample_task(praxis::Random& random) const {
-    practice::PracticeTask task{State(boxes + kBoxes * box_numbers), {}};
-    task.initial[stiffness] = uniform(random);
+    practice::PracticeTask task{State(kNumbers), {}};
+    for (std::size_t c = 0; c < kCupboards; ++c) task.initial[cupboards + 2 * c + 1] = uniform(random);
     for (std::size_t b = 0; b < kBoxes; ++b) {
         of(task.initial, b, height) = uniform(random);
         const auto object = static_cast<std::int32_t>(kFirstBox + b);
@@ -167,15 +180,15 @@ void Rehearsal::execute(State& s, const GroundSkill& skill, std::span<const doub
             of(s, box(o[0]), weighed) = uniform(random) < chance(parameters[0], of(s, box(o[0]), height));
             break;
         case open_cupboard:
-            s[is_open] = uniform(random) < chance(parameters[0], s[stiffness]);
+            is_open(s, o[0]) = uniform(random) < chance(parameters[0], stiffness(s, o[0]));
             break;
         default:
-            s[is_open] = 0;
+            is_open(s, o[0]) = 0;
     }
 }
 
 State Rehearsal::with_box(std::size_t box, double box_height) {
-    State state(boxes + kBoxes * box_numbers);
+    State state(kNumbers);
     of(state, box, height) = box_height;
     return state;
 }

@@ -1,9 +1,9 @@
-// A robot that weighs boxes: where it rehearses, with boxes of known weight, and where it works, with boxes that it does
-// not know.
+// A robot that weighs boxes: where it rehearses, with boxes of known weight, and where it works, with boxes
+// that it does not know.
 //
-// The scale swings when a box is put on it, the longer the higher the box is, and then drifts. So a reading is right
-// with a probability that depends on how long the robot waits; a bad one is no better than a coin. The cupboard opens
-// with the same probabilities, by how hard the robot pulls and how stiff the door is.
+// The scale swings when a box is put on it, the longer the higher the box is, and then drifts. So a reading
+// is right with a probability that depends on how long the robot waits; a bad one is no better than a coin.
+// The cupboard opens with the same probabilities, by how hard the robot pulls and how stiff the door is.
 #pragma once
 
 #include <array>
