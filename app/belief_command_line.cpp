@@ -19,10 +19,11 @@ constexpr const char* kFooter =
     "--offline nothing is executed: the plan says what to do after every answer. Readings are weighed by\n"
     "the policy plan only; the others believe them, but for those that contradict what is known.\n"
     "\nExit codes: 0 every run reached the goal (or there is a conditional plan); 11 it is proved that "
-    "there\n"
-    "  is no conditional plan; 12 not every run reached it (no conditional plan was found); 22 memory "
-    "limit;\n"
-    "  23 time limit; 31 wrong input; 34 unsupported input; 35 output could not be written\n"
+    "the\n"
+    "  goal is out of reach in every world (that there is no conditional plan); 12 not every run reached it\n"
+    "  (no conditional plan was found); 22 memory limit; 23 time limit; 31 wrong input; 34 unsupported "
+    "input;\n"
+    "  35 output could not be written\n"
     "\nExamples (from the folder of the sources):\n"
     "  plan belief domains/belief/doors/domain.pddl problems/belief/doors/two-walls.pddl --view run.html\n"
     "  plan belief domains/belief/doors/domain.pddl problems/belief/doors/two-walls.pddl --offline --html "
@@ -72,6 +73,15 @@ std::vector<CLI::Option*> add_acting_options(CLI::App& app, BeliefOptions& optio
     add(app.add_option("--noise", options.noise, "Probability that a reading is wrong (default: 0)")
             ->type_name("P")
             ->check(CLI::Range(0.0, 0.499).description("")));
+    add(app.add_option("--failures", options.failures,
+                       "Probability that an action fails; in half of these cases it happens all the same "
+                       "(default: 0)")
+            ->type_name("P")
+            ->check(CLI::Range(0.0, 1.0).description("")));
+    add(app.add_option("--observer", options.observer,
+                       "Read with a vision-language model that looks at pictures of the world, as FILE "
+                       "(JSON) says")
+            ->type_name("FILE"));
     add(app.add_option("--max-steps", options.max_steps, "Most actions of one run (default: 1000)")
             ->type_name("N")
             ->check(non_negative_integer));

@@ -8,9 +8,10 @@ using belief::Event;
 
 void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
     if (!wants_text_ && !wants_trace_) return;
-    const std::string action = event.action == belief::Environment::kStart
-                                   ? ""
-                                   : task_.physical->operator_name(OperatorId(event.action));
+    const std::string action =
+        event.action == belief::Environment::kStart
+            ? ""
+            : belief.compilation().belief().physical->operator_name(OperatorId(event.action));
     if (wants_trace_) tell_json(event, action, belief);
     if (!wants_text_) return;
     switch (event.kind) {
@@ -21,7 +22,13 @@ void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
             text_ += action + "\n";
             break;
         case Event::Kind::failed:
-            text_ += "; failed: " + action + " " + event.text + "\n";
+            text_ += "; failed: " + action + (event.text.empty() ? "" : " ") + event.text + "\n";
+            break;
+        case Event::Kind::supposed:
+            text_ += ";   supposed: " + event.text + "\n";
+            break;
+        case Event::Kind::found:
+            text_ += ";   found " + event.text + "\n";
             break;
         case Event::Kind::read:
             text_ += ";   read " + event.text + "\n";
@@ -33,7 +40,9 @@ void BeliefTeller::tell(const Event& event, const belief::Belief& belief) {
 }
 
 void BeliefTeller::tell_json(const Event& event, const std::string& action, const belief::Belief& belief) {
-    static constexpr const char* kKinds[] = {"planned", "executed", "failed", "read", "finished"};
+    static constexpr const char* kKinds[] = {"planned",  "executed", "failed", "read",
+                                             "finished", "supposed", "found"};
+    const belief::BeliefTask& task = belief.compilation().belief();
     nlohmann::ordered_json line{{"world", world_}, {"event", kKinds[static_cast<int>(event.kind)]}};
     if (!action.empty()) line["action"] = action;
     if (!event.text.empty()) line["text"] = event.text;
@@ -42,9 +51,9 @@ void BeliefTeller::tell_json(const Event& event, const std::string& action, cons
         line["processor_seconds"] = event.seconds;
     }
     std::size_t known = 0, unknown = 0;
-    for (std::size_t v = 0; v < task_.uncertain.size(); ++v) {
+    for (std::size_t v = 0; v < task.uncertain.size(); ++v) {
         const auto variable = static_cast<std::int32_t>(v);
-        if (!task_.uncertain[v] || task_.physical->derived(variable)) continue;
+        if (!task.uncertain[v] || task.physical->derived(variable)) continue;
         ++(belief.value(variable) == belief::BeliefTask::kUnknown ? unknown : known);
     }
     line["known"] = known;

@@ -10,9 +10,8 @@ namespace praxis::app {
 
 class BeliefTeller {
   public:
-    /// Refers to the task. `text`, `trace`: what is wanted.
-    BeliefTeller(const belief::BeliefTask& task, bool text, bool trace)
-        : task_(task), wants_text_(text), wants_trace_(trace) {}
+    /// What is wanted.
+    BeliefTeller(bool text, bool trace) : wants_text_(text), wants_trace_(trace) {}
 
     /// The events that follow are of this world.
     void begin(std::size_t world) { world_ = world; }
@@ -24,7 +23,6 @@ class BeliefTeller {
   private:
     void tell_json(const belief::Event& event, const std::string& action, const belief::Belief& belief);
 
-    const belief::BeliefTask& task_;
     bool wants_text_, wants_trace_;
     std::size_t world_ = 0;
     std::string text_;

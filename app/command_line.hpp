@@ -52,6 +52,8 @@ struct BeliefOptions : CommonOptions {
     std::optional<std::size_t> runs;     ///< how many hidden worlds, evenly spread; empty: all
     std::optional<std::size_t> samples;  ///< worlds drawn from the initial uncertainty instead
     double noise = 0;                    ///< probability of a wrong reading
+    double failures = 0;                 ///< probability that an action fails
+    std::string observer;                ///< file that describes one; empty: readings come from the world
     std::size_t max_steps = 1000;        ///< actions of one run
     std::string policy = "plan";         ///< who chooses the actions
     Mode mode = Mode::automatic;

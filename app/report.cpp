@@ -58,6 +58,8 @@ Json to_value(const BeliefRun& run) {
                {"longest_search_seconds", run.longest_search},
                {"length", run.length},
                {"steps", run.actions}};
+    if (run.failures > 0) value["failures"] = run.failures;
+    if (!run.found.empty()) value["found"] = run.found;
     if (run.policy_cost) value["policy_cost"] = *run.policy_cost;
     if (run.omniscient_cost) value["omniscient_cost"] = *run.omniscient_cost;
     if (!run.message.empty()) value["message"] = run.message;

@@ -16,8 +16,12 @@ struct BeliefRun {
     std::string status;          ///< "reached", "infeasible", ...
     bool success = false;        ///< the goal holds in the world at the end, by the independent check
     bool false_success = false;  ///< believed only
+    bool infeasible = false;     ///< it is proved that nobody can reach the goal
     std::string message;
-    std::vector<std::string> actions;
+    std::string error;                 ///< the observer is out of order, and why
+    std::vector<std::string> actions;  ///< tried; some may have failed
+    std::size_t failures = 0;          ///< how many of them did
+    std::vector<std::string> found;    ///< objects, in the order in which they were found
     std::size_t plans = 0;
     double processor_seconds = 0;
     double search_seconds = 0;  ///< of these in searches

@@ -79,16 +79,27 @@ class Agent::Run {
         ended_ = true;
         result_.status = status;
         result_.message = std::move(message);
-        Event event;
-        event.kind = Event::Kind::finished;
-        event.text = to_string(status);
-        if (!result_.message.empty()) event.text += ": " + result_.message;
-        tell(event);
+        std::string text = to_string(status);
+        if (!result_.message.empty()) text += ": " + result_.message;
+        tell(Event::Kind::finished, std::move(text));
         return false;
     }
 
     void tell(const Event& event) const {
         if (watch_) watch_(event, belief_);
+    }
+    void tell(Event::Kind kind, std::string text) const {
+        Event event;
+        event.kind = kind;
+        event.text = std::move(text);
+        tell(event);
+    }
+    /// Tells what is supposed after failures; false if nothing is in doubt.
+    bool tell(const std::optional<Supposition>& supposed) const {
+        if (!supposed) return false;
+        if (!supposed->facts.empty())
+            tell(Event::Kind::supposed, to_string(*supposed, *planner_.compilation().belief().physical));
+        return true;
     }
 
     std::string text(Fact fact) const { return planner_.compilation().belief().physical->fact_name(fact); }
@@ -117,15 +128,12 @@ class Agent::Run {
                 if (options_.ignore_contradictions) continue;
                 return finish(RunStatus::contradiction, "read " + text(answer.fact));
             }
-            if (news && watch_) {
-                Event event;
-                event.kind = Event::Kind::read;
-                event.text = text(answer.fact);
-                tell(event);
-            }
+            if (news && watch_) tell(Event::Kind::read, text(answer.fact));
         }
-        if (environment_.found_objects()) return finish(RunStatus::found_objects, "");
-        return true;
+        if (!environment_.found_objects()) return true;
+        ended_ = true;
+        result_.status = RunStatus::found_objects;
+        return false;
     }
 
     bool make_plan() {
@@ -147,6 +155,10 @@ class Agent::Run {
         result_.plan_seconds.push_back(seconds);
         if (plan.status != Status::solved && evidence_ && evidence_->guess()) return make_plan();
         if (plan.status != Status::solved) return no_plan(plan.status);
+        // What is in doubt is found out by doing the rest as if it were not as the goal wants it.
+        if (plan.steps.empty() &&
+            tell(evidence_ ? evidence_->suppose_otherwise() : belief_.suppose_otherwise()))
+            return make_plan();
         steps_ = std::move(plan.steps);
         Event event;
         event.text = reason_;
@@ -226,10 +238,15 @@ class Agent::Run {
         result_.actions.push_back(action);
         if (execution.status == Execution::Status::illegal) {
             tell(event);
-            return finish(RunStatus::illegal, execution.message);
+            reason_ = "an action was refused";
+            if (!tell(evidence_ ? evidence_->refuse(action) : belief_.refuse(action)))
+                finish(RunStatus::illegal, execution.message);
+            return false;
         }
         if (execution.status == Execution::Status::failed) {
+            const auto supposed = evidence_ ? evidence_->fail(action) : belief_.fail(action);
             tell(event);
+            tell(supposed);
             reason_ = "an action failed";
             observe(action);
             return false;

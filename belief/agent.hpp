@@ -45,7 +45,7 @@ enum class RunStatus : std::uint8_t {
     out_of_time,
     out_of_memory,
     interrupted,
-    illegal,        ///< the world refused an action
+    illegal,        ///< the world refused an action, and no failure before explains it
     found_objects,  ///< objects that the task does not have (see `explore`)
     contradiction,  ///< a reading contradicts what is known
 };
@@ -53,12 +53,14 @@ const char* to_string(RunStatus status);
 
 /// One step of the run, for traces.
 struct Event {
-    enum class Kind : std::uint8_t { planned, executed, failed, read, finished };
+    enum class Kind : std::uint8_t { planned, executed, failed, read, finished, supposed, found };
     Kind kind = Kind::planned;
     std::uint32_t action = Environment::kStart;  ///< executed, failed
-    std::string text;                            ///< why planned, what was read, how finished
-    std::vector<std::uint32_t> plan = {};        ///< planned: the actions of the plan
-    double seconds = 0;                          ///< planned: processor time
+    /// Why planned, why failed, what was read, how finished, what is supposed after failures, what was
+    /// found.
+    std::string text;
+    std::vector<std::uint32_t> plan = {};  ///< planned: the actions of the plan
+    double seconds = 0;                    ///< planned: processor time
 };
 
 struct RunResult {

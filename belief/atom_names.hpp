@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -21,8 +20,12 @@ class AtomNames {
 
     /// The fact that says that the atom holds; nothing for atoms that are not variables of the ground task.
     std::optional<Fact> fact(const AtomName& atom) const;
-    std::optional<std::uint32_t> action(const ActionName& action) const;
-    bool has_object(const std::string& name) const { return objects_.contains(name); }
+    std::optional<Fact> fact(const GroundLiteral& literal) const;  ///< whatever its sign
+    /// The atom in terms of the source; nothing if there is no such predicate of so many objects.
+    std::optional<GroundLiteral> literal(const AtomName& atom) const;
+    /// What the fact says, in terms of the source; nothing for "none of those" and for atoms of the
+    /// grounder's own.
+    std::optional<GroundLiteral> literal(Fact fact) const;
 
     static AtomName name(const FiniteDomainTask& task, Fact fact);
     static ActionName name(const FiniteDomainTask& task, std::uint32_t action);
@@ -30,6 +33,15 @@ class AtomNames {
   private:
     const BeliefTask* task_;
     std::unordered_map<std::string, std::size_t> predicates_, objects_;
+};
+
+class ActionNames {
+  public:
+    explicit ActionNames(const FiniteDomainTask& task);
+
+    std::optional<std::uint32_t> action(const ActionName& name) const;
+
+  private:
     std::unordered_map<std::string, std::uint32_t> actions_;  ///< by words joined by blanks
 };
 

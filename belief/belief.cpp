@@ -6,11 +6,18 @@
 
 namespace praxis::belief {
 
+std::string to_string(const Supposition& supposed, const FiniteDomainTask& task) {
+    std::string text;
+    for (const Fact& fact : supposed.facts) text += (text.empty() ? "" : ", ") + task.fact_name(fact);
+    return text;
+}
+
 Belief::Belief(std::shared_ptr<const Compilation> compilation)
     : compilation_(std::move(compilation)),
       axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
       initial_(compilation_->belief()),
       derived_(compilation_->belief()),
+      supposed_derived_(derived_),
       consistent_(initial_.consistent()),
       touched_(compilation_->belief().uncertain.size(), false),
       values_(compilation_->task()->initial_values) {
@@ -31,8 +38,14 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
 }
 
 std::int32_t Belief::value(std::int32_t variable) const {
-    const auto v = static_cast<std::size_t>(variable);
     if (physical().derived(variable)) return derived_.value(variable);
+    return in_doubt(variable) ? BeliefTask::kUnknown : supposed(variable);
+}
+
+std::int32_t Belief::supposed(std::int32_t variable) const {
+    const std::size_t v = index(variable);
+    if (physical().derived(variable))
+        return (hypotheses_.empty() ? derived_ : supposed_derived_).value(variable);
     const Components& components = compilation_->components();
     if (const std::uint32_t c = components.component_of[v]; c != Components::kNone)
         return cases_[c].value(components.column_of[v]);
@@ -44,6 +57,10 @@ std::int32_t Belief::value(std::int32_t variable) const {
 
 bool Belief::knows(std::span<const Fact> facts) const {
     return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return knows(fact); });
+}
+
+bool Belief::supposes(std::span<const Fact> facts) const {
+    return std::all_of(facts.begin(), facts.end(), [&](const Fact& fact) { return supposes(fact); });
 }
 
 Truth Belief::truth(Fact fact) const {
@@ -64,6 +81,7 @@ std::uint64_t Belief::fingerprint() const {
             mix(static_cast<std::uint64_t>(initial_.value(variable) + 1));
         }
     }
+    mix(hypotheses_.fingerprint());
     for (const Cases& cases : cases_) {
         std::uint64_t sum = 0;  // the order of cases does not matter
         for (std::size_t i = 0; i < cases.count(); ++i) {
@@ -77,9 +95,8 @@ std::uint64_t Belief::fingerprint() const {
     return result;
 }
 
-void Belief::act(std::uint32_t action) {
+void Belief::touch(std::uint32_t action) {
     const BeliefTask& task = compilation_->belief();
-    const FiniteDomainTask& compiled = *compilation_->task();
     for (const GroundEffect& effect : physical().effects[action]) {
         const auto variable = static_cast<std::size_t>(effect.fact.variable);
         if (!task.uncertain[variable] || touched_[variable]) continue;
@@ -87,8 +104,14 @@ void Belief::act(std::uint32_t action) {
         touched_[variable] = std::none_of(
             when.begin(), when.end(), [&](const Fact& fact) { return truth(fact) == Truth::known_false; });
     }
-    for (std::int32_t variable : task.forgotten[action]) touched_[static_cast<std::size_t>(variable)] = true;
-    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return knows(fact); });
+    for (std::int32_t variable : task.forgotten[action]) touched_[index(variable)] = true;
+}
+
+void Belief::act(std::uint32_t action) {
+    const FiniteDomainTask& compiled = *compilation_->task();
+    touch(action);
+    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return supposes(fact); });
+    if (!hypotheses_.empty()) hypotheses_.act(compilation_->belief(), action, value_beside());
     before_ = values_;
     for (const GroundEffect& effect : compilation_->effects(action))
         if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
@@ -99,7 +122,7 @@ void Belief::act(std::uint32_t action) {
             if (effect.condition == 0) confirmed_[static_cast<std::size_t>(effect.fact.variable)] = step_;
         decay();
     }
-    complete();
+    settle();
 }
 
 /// What has not been confirmed for too long is not known any more.
@@ -108,6 +131,7 @@ void Belief::decay() {
     for (std::size_t v = 0; v < lasting.size(); ++v) {
         if (lasting[v] == BeliefTask::kForever || step_ - confirmed_[v] <= lasting[v]) continue;
         touched_[v] = true;
+        hypotheses_.forget(static_cast<std::int32_t>(v));
         values_[basic(static_cast<std::int32_t>(v))] = Compilation::kNotKnown;
     }
 }
@@ -115,6 +139,10 @@ void Belief::decay() {
 bool Belief::learn(Fact fact) {
     const BeliefTask& task = compilation_->belief();
     if (!confirmed_.empty()) confirmed_[static_cast<std::size_t>(fact.variable)] = step_;
+    if (in_doubt(fact.variable)) {
+        hypotheses_.learn(fact);
+        settle();
+    }
     if (knows(fact)) return true;
     const auto variable = static_cast<std::size_t>(fact.variable);
     if (truth(fact) == Truth::known_false || !task.uncertain[variable]) return false;
@@ -139,10 +167,62 @@ bool Belief::learn(Fact fact) {
     return true;
 }
 
-void Belief::forget(std::int32_t variable) {
-    touched_[static_cast<std::size_t>(variable)] = true;
-    values_[basic(variable)] = Compilation::kNotKnown;
+std::optional<Supposition> Belief::fail(std::uint32_t action) {
+    const BeliefTask& task = compilation_->belief();
+    touch(action);
+    for (Cases& cases : cases_) {
+        Cases after = cases;
+        after.act(action, [&](const Fact& fact) { return supposes(fact); });
+        cases.unite(after);
+    }
+    std::vector<std::int32_t> variables(task.forgotten[action].begin(), task.forgotten[action].end());
+    for (const GroundEffect& effect : physical().effects[action]) variables.push_back(effect.fact.variable);
+    std::erase_if(variables, [&](std::int32_t variable) { return compilation_->tracked(variable); });
+    hypotheses_.fail(task, action, variables, value_beside());
+    ++step_;
+    if (!confirmed_.empty()) decay();
+    settle();
+    Supposition supposed = supposition();
+    if (supposed.facts.empty()) return std::nullopt;
+    return supposed;
+}
+
+std::optional<Supposition> Belief::refuse(std::uint32_t action) {
+    if (!hypotheses_.refuse(compilation_->belief(), action, value_beside())) return std::nullopt;
+    settle();
+    return supposition();
+}
+
+std::optional<Supposition> Belief::suppose_otherwise() {
+    if (hypotheses_.empty()) return std::nullopt;
+    hypotheses_.turn();
+    settle();
+    return supposition();
+}
+
+Hypotheses::Value Belief::value_beside() const {
+    return [this](std::int32_t variable) { return supposed(variable); };
+}
+
+void Belief::settle() {
+    if (!hypotheses_.empty()) {
+        for (const Fact& fact : hypotheses_.settle())
+            if (fact.value != BeliefTask::kUnknown) values_[basic(fact.variable)] = fact.value;
+        for (const std::int32_t variable : hypotheses_.variables())
+            values_[basic(variable)] = Compilation::kNotKnown;
+        for (const Fact& fact : supposition().facts) values_[basic(fact.variable)] = fact.value;
+    }
     complete();
+}
+
+Supposition Belief::supposition() const {
+    Supposition result;
+    for (std::size_t i = 0; i < hypotheses_.variables().size(); ++i) {
+        const std::int32_t variable = hypotheses_.variables()[i];
+        if (!compilation_->belief().uncertain[index(variable)])
+            result.facts.push_back({variable, hypotheses_.supposed()[i]});
+    }
+    return result;
 }
 
 void Belief::begin_plan(Random& random) {
@@ -196,7 +276,10 @@ void Belief::complete() {
             closed = 1;
     }
     axioms_->complete(values_.data(), scratch_);
-    if (physical().has_axioms()) derived_.update([&](std::int32_t variable) { return value(variable); });
+    if (!physical().has_axioms()) return;
+    derived_.update([&](std::int32_t variable) { return value(variable); });
+    if (!hypotheses_.empty())
+        supposed_derived_.update([&](std::int32_t variable) { return supposed(variable); });
 }
 
 }  // namespace praxis::belief

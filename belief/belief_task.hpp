@@ -23,6 +23,11 @@
 
 namespace praxis::belief {
 
+/// A variable as the index of what there is of it.
+inline std::size_t index(std::int32_t variable) {
+    return static_cast<std::size_t>(variable);
+}
+
 /// Tells whether `fact` holds.
 struct GroundReading {
     Fact fact;

@@ -30,6 +30,12 @@ bool Cases::keep(std::size_t column, std::int32_t value) {
     return true;
 }
 
+void Cases::unite(const Cases& other) {
+    rows_.insert(rows_.end(), other.rows_.begin(), other.rows_.end());
+    count_ += other.count_;
+    finish();
+}
+
 std::size_t Cases::exception(std::size_t column, std::int32_t value) const {
     std::size_t i = 0;
     while (i < count_ && row(i)[column] == value) ++i;

@@ -25,6 +25,8 @@ class Cases {
     void act(std::uint32_t action, const Certain& certain);
     /// Leaves the cases in which the column has the value; false, and nothing changes, if there are none.
     bool keep(std::size_t column, std::int32_t value);
+    /// The cases of both are possible.
+    void unite(const Cases& other);
     /// A case in which the column does not have the value; `count()` if there is none.
     std::size_t exception(std::size_t column, std::int32_t value) const;
 

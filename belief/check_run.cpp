@@ -1,9 +1,6 @@
 #include "belief/check_run.hpp"
 
-#include <memory>
-#include <string_view>
-#include <unordered_map>
-
+#include "belief/atom_names.hpp"
 #include "search/plan_names.hpp"
 
 namespace praxis::belief {
@@ -12,17 +9,14 @@ Verdict check_run(const BeliefTask& task, const WorldState& first,
                   const std::vector<std::uint32_t>& actions) {
     const FiniteDomainTask& physical = *task.physical;
     LiftedTask world = *task.source->task;
-    std::unordered_map<std::string_view, std::size_t> predicates, objects;
-    for (std::size_t p = 0; p < world.predicates.size(); ++p) predicates.emplace(world.predicates[p].name, p);
-    for (std::size_t o = 0; o < world.objects.size(); ++o) objects.emplace(world.objects[o].name, o);
+    const AtomNames atoms(task);
     for (std::size_t v = 0; v < first.size(); ++v) {
         if (task.initial_values[v] != BeliefTask::kUnknown) continue;
-        const std::uint32_t fact = physical.fact_number({static_cast<std::int32_t>(v), first[v]});
-        if (physical.fact_forms[fact] != FiniteDomainTask::FactForm::atom) continue;
-        const auto words = physical.fact_names.names[fact];
-        Relation& relation = world.initial_atoms[predicates.at(physical.fact_names.symbols[words[0]])];
-        for (std::uint32_t word : words.subspan(1))
-            relation.arguments.emplace_back(objects.at(physical.fact_names.symbols[word]));
+        const auto literal = atoms.literal({static_cast<std::int32_t>(v), first[v]});
+        if (!literal || literal->negated) continue;
+        Relation& relation = world.initial_atoms[literal->predicate.index()];
+        relation.arguments.insert(relation.arguments.end(), literal->arguments.begin(),
+                                  literal->arguments.end());
         ++relation.count;
     }
     const PlanNames names(*task.lifted, physical);

@@ -9,10 +9,6 @@
 namespace praxis::belief {
 namespace {
 
-std::size_t index(std::int32_t variable) {
-    return static_cast<std::size_t>(variable);
-}
-
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t size) : parent_(size) {

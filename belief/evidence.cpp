@@ -26,22 +26,44 @@ Evidence::Evidence(Belief& belief, double accept)
 }
 
 void Evidence::act(std::uint32_t action) {
-    const BeliefTask& task = belief_->compilation().belief();
-    for (const GroundEffect& effect : task.physical->effects[action]) {
-        log_odds_[static_cast<std::size_t>(effect.fact.variable)] = 0;
-        believed_[static_cast<std::size_t>(effect.fact.variable)] = false;
-    }
-    for (std::int32_t variable : task.forgotten[action]) {
-        log_odds_[static_cast<std::size_t>(variable)] = 0;
-        believed_[static_cast<std::size_t>(variable)] = false;
-    }
+    discard(action);
     belief_->act(action);
-    history_.push_back({false, {}, action, 0});
+    history_.push_back({Kind::acted, {}, action, 0});
+}
+
+std::optional<Supposition> Evidence::fail(std::uint32_t action) {
+    discard(action);
+    history_.push_back({Kind::failed, {}, action, 0});
+    return belief_->fail(action);
+}
+
+std::optional<Supposition> Evidence::refuse(std::uint32_t action) {
+    history_.push_back({Kind::refused, {}, action, 0});
+    return belief_->refuse(action);
+}
+
+std::optional<Supposition> Evidence::suppose_otherwise() {
+    history_.push_back({Kind::supposed_otherwise, {}, 0, 0});
+    return belief_->suppose_otherwise();
+}
+
+void Evidence::discard(std::uint32_t action) {
+    const BeliefTask& task = belief_->compilation().belief();
+    const auto discard_variable = [&](std::int32_t variable) {
+        log_odds_[index(variable)] = 0;
+        believed_[index(variable)] = false;
+    };
+    for (const GroundEffect& effect : task.physical->effects[action]) discard_variable(effect.fact.variable);
+    for (std::int32_t variable : task.forgotten[action]) discard_variable(variable);
 }
 
 void Evidence::read(const Answer& answer) {
     const auto variable = static_cast<std::size_t>(answer.fact.variable);
-    if (!belief_->compilation().belief().uncertain[variable]) return;
+    if (!belief_->compilation().belief().uncertain[variable]) {
+        // There are no odds of several values: what is in doubt is what is read.
+        if (belief_->in_doubt(answer.fact.variable)) believe(answer.fact, threshold_);
+        return;
+    }
     ++readings_;
     double& odds = log_odds_[variable];
     const double weight = logit(std::min(answer.accuracy, kMostAccurate));
@@ -71,17 +93,20 @@ void Evidence::believe(Fact fact, double weight) {
     while (!belief_->learn(fact)) {
         const Step* weakest = nullptr;
         for (const Step& step : history_)
-            if (step.learnt && step.weight <= weight && (weakest == nullptr || step.weight < weakest->weight))
+            if (step.kind == Kind::learnt && step.weight <= weight &&
+                (weakest == nullptr || step.weight < weakest->weight))
                 weakest = &step;
         if (weakest == nullptr) return;  // what speaks against it is stronger
         doubt(weakest->fact.variable);
     }
     believed_[static_cast<std::size_t>(fact.variable)] = true;
-    history_.push_back({true, fact, 0, weight});
+    history_.push_back({Kind::learnt, fact, 0, weight});
 }
 
 void Evidence::doubt(std::int32_t variable) {
-    std::erase_if(history_, [&](const Step& step) { return step.learnt && step.fact.variable == variable; });
+    std::erase_if(history_, [&](const Step& step) {
+        return step.kind == Kind::learnt && step.fact.variable == variable;
+    });
     believed_[static_cast<std::size_t>(variable)] = false;
     rebuild();
 }
@@ -89,10 +114,23 @@ void Evidence::doubt(std::int32_t variable) {
 void Evidence::rebuild() {
     Belief fresh(belief_->shared_compilation());
     for (const Step& step : history_) {
-        if (step.learnt)
-            fresh.learn(step.fact);
-        else
-            fresh.act(step.action);
+        switch (step.kind) {
+            case Kind::learnt:
+                fresh.learn(step.fact);
+                break;
+            case Kind::acted:
+                fresh.act(step.action);
+                break;
+            case Kind::failed:
+                fresh.fail(step.action);
+                break;
+            case Kind::refused:
+                fresh.refuse(step.action);
+                break;
+            case Kind::supposed_otherwise:
+                fresh.suppose_otherwise();
+                break;
+        }
     }
     *belief_ = std::move(fresh);
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "belief/belief.hpp"
@@ -21,8 +22,12 @@ class Evidence {
     /// std::invalid_argument.
     Evidence(Belief& belief, double accept);
 
-    /// An action has been executed.
+    /// An action has been executed; has failed; has been refused. No plan is needed as the goal is supposed
+    /// to hold. As in `Belief`.
     void act(std::uint32_t action);
+    std::optional<Supposition> fail(std::uint32_t action);
+    std::optional<Supposition> refuse(std::uint32_t action);
+    std::optional<Supposition> suppose_otherwise();
     /// Something has been read.
     void read(const Answer& answer);
     /// Believes whatever is likelier than not, for want of a better way. False if there is nothing new to
@@ -35,13 +40,16 @@ class Evidence {
     double log_odds(std::int32_t variable) const { return log_odds_[static_cast<std::size_t>(variable)]; }
 
   private:
+    enum class Kind : std::uint8_t { learnt, acted, failed, refused, supposed_otherwise };
     struct Step {
-        bool learnt = false;  ///< a fact, or an executed action
+        Kind kind = Kind::learnt;
         Fact fact;
         std::uint32_t action = 0;
         double weight = 0;  ///< log-odds when it was believed
     };
 
+    /// What speaks for the values that the action may have changed does not any more.
+    void discard(std::uint32_t action);
     void believe(Fact fact, double weight);
     void doubt(std::int32_t variable);
     void rebuild();

@@ -10,7 +10,15 @@ namespace praxis::belief {
 
 Exploration explore(std::shared_ptr<const ContingentTask> full, Skills& skills, Observer& observer,
                     const AgentOptions& options, const Budget& budget,
-                    const std::function<void(const Event&, const Belief&)>& watch) {
+                    const std::function<void(const Event&, const Belief&)>& watch,
+                    const CompilationOptions& compilation_options) {
+    const auto tell = [&](Event::Kind kind, const std::string& text, const Belief& belief) {
+        if (!watch) return;
+        Event event;
+        event.kind = kind;
+        event.text = text;
+        watch(event, belief);
+    };
     Exploration result;
     Percept pending;
     AgentOptions left = options;
@@ -22,7 +30,7 @@ Exploration explore(std::shared_ptr<const ContingentTask> full, Skills& skills, 
             return result;
         }
         ++result.groundings;
-        const auto compilation = std::make_shared<const Compilation>(ground.task);
+        const auto compilation = std::make_shared<const Compilation>(ground.task, compilation_options);
         const auto planner = std::make_shared<const KnowledgePlanner>(compilation, budget);
         Belief belief(compilation);
         RobotEnvironment environment(ground.task, skills, observer,
@@ -30,7 +38,8 @@ Exploration explore(std::shared_ptr<const ContingentTask> full, Skills& skills, 
         const RunResult run = Agent(planner, left).run(belief, environment, budget, watch);
         for (std::uint32_t action : run.actions)
             result.actions.push_back(AtomNames::name(*ground.task->physical, action));
-        result.plans += run.plans;
+        result.plan_seconds.insert(result.plan_seconds.end(), run.plan_seconds.begin(),
+                                   run.plan_seconds.end());
         result.status = run.status;
         result.message = run.message;
         if (run.status != RunStatus::found_objects) return result;
@@ -38,9 +47,11 @@ Exploration explore(std::shared_ptr<const ContingentTask> full, Skills& skills, 
         std::vector<std::string> refused;
         full = grow(*full, belief, environment.found(), refused);
         for (const Detection& detection : environment.found()) {
+            tell(Event::Kind::found, detection.object, belief);
             if (std::find(refused.begin(), refused.end(), detection.object) != refused.end()) {
                 result.message = "the type '" + detection.type + "' of '" + detection.object +
                                  "', which was found, is not one of the domain";
+                tell(Event::Kind::finished, result.message, belief);
                 return result;
             }
             result.found.push_back(detection.object);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_map>
 
 #include "belief/atom_names.hpp"
 
@@ -67,11 +66,7 @@ bool add_object(LiftedTask& task, const Detection& detection) {
 class Present {
   public:
     Present(ContingentTask& task, LiftedTask& lifted, const Belief& belief)
-        : task_(task), lifted_(lifted), belief_(belief), names_(belief.compilation().belief()) {
-        for (std::size_t p = 0; p < lifted.predicates.size(); ++p)
-            predicates_.emplace(lifted.predicates[p].name, p);
-        for (std::size_t o = 0; o < lifted.objects.size(); ++o) objects_.emplace(lifted.objects[o].name, o);
-    }
+        : task_(task), lifted_(lifted), belief_(belief), names_(belief.compilation().belief()) {}
 
     void write() {
         const BeliefTask& ground = belief_.compilation().belief();
@@ -86,17 +81,11 @@ class Present {
 
   private:
     void write(Fact fact) {
-        const FiniteDomainTask& physical = *belief_.compilation().belief().physical;
-        if (physical.fact_forms[physical.fact_number(fact)] != FiniteDomainTask::FactForm::atom) return;
-        const AtomName name = AtomNames::name(physical, fact);
-        GroundLiteral literal;
-        const auto predicate = predicates_.find(name.words[0]);
-        if (predicate == predicates_.end()) return;  // the grounder's own
-        literal.predicate = PredicateId(predicate->second);
-        for (std::size_t i = 1; i < name.words.size(); ++i)
-            literal.arguments.emplace_back(objects_.at(name.words[i]));
+        const auto atom = names_.literal(fact);
+        if (!atom || atom->negated) return;
+        GroundLiteral literal = *atom;
         forget(literal);
-        switch (belief_.truth(fact)) {
+        switch (truth(fact)) {
             case Truth::known_true: {
                 Relation& relation = lifted_.initial_atoms[literal.predicate.index()];
                 relation.arguments.insert(relation.arguments.end(), literal.arguments.begin(),
@@ -112,6 +101,12 @@ class Present {
                 task_.unknown.push_back(literal);
                 break;
         }
+    }
+
+    /// What is in doubt counts as supposed: certain variables stay certain.
+    Truth truth(Fact fact) const {
+        if (belief_.compilation().belief().uncertain[index(fact.variable)]) return belief_.truth(fact);
+        return belief_.supposes(fact) ? Truth::known_true : Truth::known_false;
     }
 
     /// What the initial description says of the atom alone.
@@ -137,10 +132,7 @@ class Present {
         std::erase_if(task_.clauses, [&](const Clause& clause) {
             return std::any_of(
                 clause.literals.begin(), clause.literals.end(), [&](const GroundLiteral& literal) {
-                    AtomName name{{lifted_.predicates[literal.predicate.index()].name}};
-                    for (ObjectId object : literal.arguments)
-                        name.words.push_back(lifted_.objects[object.index()].name);
-                    const auto fact = names_.fact(name);
+                    const auto fact = names_.fact(literal);
                     return fact && !physical.derived(fact->variable) && belief_.touched(fact->variable);
                 });
         });
@@ -150,7 +142,6 @@ class Present {
     LiftedTask& lifted_;
     const Belief& belief_;
     AtomNames names_;
-    std::unordered_map<std::string, std::size_t> predicates_, objects_;
 };
 
 }  // namespace

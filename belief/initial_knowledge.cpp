@@ -9,10 +9,6 @@ namespace {
 /// Variables tried after one reading.
 constexpr std::size_t kMostTries = 400;
 
-std::size_t index(std::int32_t variable) {
-    return static_cast<std::size_t>(variable);
-}
-
 }  // namespace
 
 InitialKnowledge::InitialKnowledge(const BeliefTask& task) : task_(&task), values_(task.initial_values) {

@@ -24,8 +24,8 @@ struct ActionName {
 struct Execution {
     enum class Status {
         done,     ///< the skill ran to its end
-        failed,   ///< it did not; the world may have changed all the same
-        illegal,  ///< the world refuses: the run is over
+        failed,   ///< it did not; it is not known whether the action has happened all the same
+        illegal,  ///< the world refuses, and has not changed; the run is over, unless a failure explains it
     };
     Status status = Status::done;
     std::string message;  ///< why not
@@ -38,9 +38,10 @@ class Skills {
     virtual Execution execute(const ActionName& action, std::stop_token stop) = 0;
 };
 
-/// What an observer is asked after an action (or, with no action, before the first one).
+/// What an observer is asked after an action (or, with no action, before the first one). After one that
+/// failed, the questions are also about all that it may have changed.
 struct ObservationRequest {
-    const ActionName* action = nullptr;    ///< the action just executed; null at the start
+    const ActionName* action = nullptr;    ///< the action just executed, or failed; null at the start
     std::span<const AtomName> questions;   ///< atoms that this moment may tell about
     std::span<const std::string> objects;  ///< the objects known so far
 };

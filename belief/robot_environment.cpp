@@ -26,7 +26,24 @@ RobotEnvironment::RobotEnvironment(std::shared_ptr<const BeliefTask> task, Skill
 }
 
 Execution RobotEnvironment::execute(std::uint32_t action, std::stop_token stop) {
-    return skills_->execute(AtomNames::name(*task_->physical, action), stop);
+    Execution execution = skills_->execute(AtomNames::name(*task_->physical, action), stop);
+    failed_ = execution.status == Execution::Status::failed;
+    return execution;
+}
+
+/// The atoms that the action changes, whatever they become.
+void RobotEnvironment::ask_for_effects(std::uint32_t action, std::vector<AtomName>& questions) const {
+    const FiniteDomainTask& physical = *task_->physical;
+    std::vector<std::int32_t> variables(task_->forgotten[action].begin(), task_->forgotten[action].end());
+    for (const GroundEffect& effect : physical.effects[action]) variables.push_back(effect.fact.variable);
+    for (const Fact& fact : physical.preconditions[action]) {
+        const bool changed = std::find(variables.begin(), variables.end(), fact.variable) != variables.end();
+        if (changed && physical.is_atom(fact)) questions.push_back(AtomNames::name(physical, fact));
+    }
+    for (const GroundEffect& effect : physical.effects[action])
+        if (names_.literal(effect.fact)) questions.push_back(AtomNames::name(physical, effect.fact));
+    for (std::int32_t variable : task_->forgotten[action])
+        questions.push_back(AtomNames::name(physical, {variable, 0}));
 }
 
 std::vector<Answer> RobotEnvironment::observe(std::uint32_t action, std::stop_token stop) {
@@ -35,6 +52,7 @@ std::vector<Answer> RobotEnvironment::observe(std::uint32_t action, std::stop_to
     if (action != kStart) {
         name = AtomNames::name(*task_->physical, action);
         questions.insert(questions.end(), read_[action].begin(), read_[action].end());
+        if (failed_) ask_for_effects(action, questions);
     }
     std::sort(questions.begin(), questions.end());
     questions.erase(std::unique(questions.begin(), questions.end()), questions.end());

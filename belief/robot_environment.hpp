@@ -18,7 +18,8 @@ class RobotEnvironment : public Environment {
                      std::optional<Percept> pending = std::nullopt);
 
     Execution execute(std::uint32_t action, std::stop_token stop) override;
-    /// Asks about what the action reads and about what sensors may read. Readings of atoms that the task does
+    /// Asks about what the action reads and about what sensors may read; after a failure also about what the
+    /// action may have changed. Readings of atoms that the task does
     /// not have are passed over; "unknown" is no answer.
     std::vector<Answer> observe(std::uint32_t action, std::stop_token stop) override;
     bool found_objects() const override { return !found_.empty(); }
@@ -30,6 +31,7 @@ class RobotEnvironment : public Environment {
     const Percept& percept() const { return percept_; }
 
   private:
+    void ask_for_effects(std::uint32_t action, std::vector<AtomName>& questions) const;
     void note_new(const Detection& detection);
 
     std::shared_ptr<const BeliefTask> task_;
@@ -40,6 +42,7 @@ class RobotEnvironment : public Environment {
     std::vector<AtomName> sensed_;             ///< by sensor: what it reads
     std::vector<std::vector<AtomName>> read_;  ///< by action
     std::optional<Percept> pending_;
+    bool failed_ = false;  ///< the last action did
     Percept percept_;
     std::vector<Detection> found_;
 };

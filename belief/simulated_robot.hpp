@@ -21,7 +21,7 @@ class SimulatedRobot : public Skills, public Observer {
   private:
     std::shared_ptr<const BeliefTask> task_;
     SimulatedWorld* world_;
-    AtomNames names_;
+    ActionNames actions_;
 };
 
 }  // namespace praxis::belief

@@ -10,15 +10,9 @@ namespace {
 
 constexpr int kAttempts = 200;
 
-std::size_t index(std::int32_t variable) {
-    return static_cast<std::size_t>(variable);
-}
-
 /// The value at which the variable's atom does not hold.
 std::int32_t false_value(const FiniteDomainTask& task, std::int32_t variable) {
-    const bool first_is_atom =
-        task.fact_forms[task.fact_number({variable, 0})] == FiniteDomainTask::FactForm::atom;
-    return first_is_atom ? 1 : 0;
+    return task.is_atom({variable, 0}) ? 1 : 0;
 }
 
 std::vector<std::int32_t> open_variables(const BeliefTask& task) {

@@ -84,6 +84,10 @@ def execute(domain, problem, noise, policy, belief, options):
         command = [options.plan, "belief", domain, problem, "--seeds", str(options.seeds), "--noise", str(noise),
                    "--max-steps", str(options.max_steps), "--seed", str(options.seed), "--json", str(report),
                    "--quiet"]
+        if options.failures:
+            command += ["--failures", str(options.failures)]
+        if options.risk:
+            command += ["--risk", str(options.risk)]
         if policy != "plan":
             command += ["--policy", policy]
         if belief:
@@ -134,10 +138,14 @@ def summarize(label, rows):
 
 
 def combinations(options):
-    """(noise, policy, belief): the first belief everywhere, others where there is noise and a plan."""
+    """(noise, policy, belief): the first belief everywhere, others where there is noise and a plan. Policies that
+    do not weigh readings are sticky."""
     beliefs = [belief for belief in options.beliefs.split(",") if belief] or [""]
     for noise in options.noise.split(","):
         for policy in options.policies.split(","):
+            if policy not in ("plan", "best"):
+                yield noise, policy, "sticky" if beliefs[0] else ""
+                continue
             for belief in beliefs:
                 if belief == beliefs[0] or (float(noise) > 0 and policy == "plan"):
                     yield noise, policy, belief
@@ -151,6 +159,8 @@ def main():
     parser.add_argument("--noise", default="0,0.05,0.1,0.2", help="probabilities of a wrong reading")
     parser.add_argument("--policies", default="plan,random,random-any,sense-first")
     parser.add_argument("--beliefs", default="bayes,sticky", help="'' leaves the choice to the command")
+    parser.add_argument("--failures", type=float, default=0, help="probability that an action fails")
+    parser.add_argument("--risk", type=float, default=0, help="what unlikely outcomes cost in plans")
     parser.add_argument("--max-steps", type=int, default=40)
     parser.add_argument("--only", default="", metavar="REGEX", help="only problems whose name has it")
     parser.add_argument("--all", action="store_true", help="the contingent classics, too")

@@ -85,7 +85,7 @@ void AtomIndex::add_facts(const LiftedTask& lifted, const FiniteDomainTask& grou
         for (std::int32_t value = 0; value < ground.domain_sizes[variable]; ++value) {
             const Fact fact{static_cast<std::int32_t>(variable), value};
             const std::uint32_t number = ground.fact_number(fact);
-            if (ground.fact_forms[number] != FiniteDomainTask::FactForm::atom) {
+            if (!ground.is_atom(fact)) {
                 empty_values_[variable] = value;
                 continue;
             }

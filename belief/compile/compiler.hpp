@@ -35,7 +35,6 @@ class Compiler {
     /// Costs of the compiled task are in these units; a passive sensor's outcome costs one.
     static constexpr std::int64_t kActionUnit = 10;
 
-    static std::size_t index(std::int32_t value) { return static_cast<std::size_t>(value); }
     static Fact opposite(Fact fact) { return {fact.variable, 1 - fact.value}; }
     /// Sorted by variable; nothing if it contradicts itself.
     static std::optional<Condition> conjunction(Condition facts);

@@ -9,8 +9,7 @@ namespace {
 std::int32_t named_value(const FiniteDomainTask& task, std::int32_t variable) {
     const std::int32_t size = task.domain_sizes[static_cast<std::size_t>(variable)];
     for (std::int32_t value = 0; value < size; ++value)
-        if (task.fact_forms[task.fact_number({variable, value})] == FiniteDomainTask::FactForm::atom)
-            return value;
+        if (task.is_atom({variable, value})) return value;
     return 0;
 }
 
@@ -47,10 +46,9 @@ std::string report_text(const BeliefTask& task, const ConditionalPlan::Report& r
     if (report.value == ConditionalPlan::Report::kSilent) return "nothing about " + atom;
     if (report_holds(task, report)) return atom;
     const FiniteDomainTask& physical = *task.physical;
-    const std::uint32_t fact = physical.fact_number({report.variable, report.value});
-    if (physical.fact_forms[fact] == FiniteDomainTask::FactForm::atom)
-        return "(" + physical.fact_names.words(fact) + ")";
-    return "not " + atom;
+    const Fact fact{report.variable, report.value};
+    if (!physical.is_atom(fact)) return "not " + atom;
+    return "(" + physical.fact_names.words(physical.fact_number(fact)) + ")";
 }
 
 std::vector<PlanBlock> plan_blocks(const BeliefTask& task, const ConditionalPlan& plan) {

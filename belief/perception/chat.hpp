@@ -22,7 +22,7 @@ struct Message {
     std::vector<std::string> images;  ///< the bytes of PNG or JPEG files; only in messages of the user
 };
 
-struct Answer {
+struct ChatAnswer {
     std::string text;
     bool cut_off = false;  ///< the model reached its limit of tokens
     std::int64_t prompt_tokens = 0;
@@ -35,7 +35,7 @@ class ChatModel {
     /// Names the model; the same questions to models of different names are different questions.
     virtual std::string name() const = 0;
     /// The model's next message. Throws PerceptionError if there is none, StoppedError if `stop` asks.
-    virtual Answer ask(const std::vector<Message>& messages, std::stop_token stop) = 0;
+    virtual ChatAnswer ask(const std::vector<Message>& messages, std::stop_token stop) = 0;
 };
 
 }  // namespace praxis::belief

@@ -138,7 +138,7 @@ TranslatedGoal translate_goal(ChatModel& model, const Vocabulary& vocabulary, co
     std::vector<Message> messages = {{Role::system, instructions(vocabulary, options), {}},
                                      {Role::user, "What is wanted: " + sentence, {}}};
     for (int attempt = 1;; ++attempt) {
-        const Answer answer = model.ask(messages, stop);
+        const ChatAnswer answer = model.ask(messages, stop);
         std::string problem;
         std::string proposal = read_proposal(answer.text, problem);
         if (problem.empty()) problem = check_goal(vocabulary, proposal);

@@ -86,7 +86,7 @@ std::string write_chat_request(const VisionModelOptions& options, const std::vec
     return request.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::optional<Answer> read_chat_response(const std::string& body, std::string& why) {
+std::optional<ChatAnswer> read_chat_response(const std::string& body, std::string& why) {
     const Json response = Json::parse(body, nullptr, false);
     if (response.is_discarded()) {
         why = "the answer is not JSON: " + beginning(body);
@@ -119,7 +119,7 @@ std::optional<Answer> read_chat_response(const std::string& body, std::string& w
         why = "the answer has no text in choices[0].message.content: " + beginning(body);
         return std::nullopt;
     }
-    Answer answer;
+    ChatAnswer answer;
     answer.text = std::move(*text);
     const auto reason = choice->find("finish_reason");
     answer.cut_off = reason != choice->end() && *reason == "length";

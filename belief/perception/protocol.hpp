@@ -17,7 +17,7 @@ std::string write_chat_request(const VisionModelOptions& options, const std::vec
 
 /// The answer in a successful response; nothing if it is not of the protocol, with the reason in `why`.
 /// Throws PerceptionError if the model refuses to answer.
-std::optional<Answer> read_chat_response(const std::string& body, std::string& why);
+std::optional<ChatAnswer> read_chat_response(const std::string& body, std::string& why);
 
 /// What a server says about a failure: the message in its JSON, or the beginning of its text.
 std::string error_message(const std::string& body);

@@ -10,11 +10,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::optional<std::pair<std::string, Answer>> read_line(const std::string& line) {
+std::optional<std::pair<std::string, ChatAnswer>> read_line(const std::string& line) {
     const Json entry = Json::parse(line, nullptr, false);
     try {
         const Json& said = entry.at("answer");
-        Answer answer;
+        ChatAnswer answer;
         said.at("text").get_to(answer.text);
         said.at("cut_off").get_to(answer.cut_off);
         said.at("prompt_tokens").get_to(answer.prompt_tokens);
@@ -91,7 +91,7 @@ void RecordedModel::read() {
     }
 }
 
-Answer RecordedModel::ask(const std::vector<Message>& messages, std::stop_token stop) {
+ChatAnswer RecordedModel::ask(const std::vector<Message>& messages, std::stop_token stop) {
     if (stop.stop_requested()) throw StoppedError();
     const std::string key = question_key(name_, messages);
     if (mode_ != RecordMode::record) {
@@ -99,7 +99,7 @@ Answer RecordedModel::ask(const std::vector<Message>& messages, std::stop_token 
         const auto found = entries_.find(key);
         if (found != entries_.end()) {
             Entry& entry = found->second;
-            const Answer& answer = entry.answers[entry.next];
+            const ChatAnswer& answer = entry.answers[entry.next];
             if (mode_ == RecordMode::replay && entry.next + 1 < entry.answers.size()) ++entry.next;
             ++replayed_;
             return answer;
@@ -109,7 +109,7 @@ Answer RecordedModel::ask(const std::vector<Message>& messages, std::stop_token 
                                   "' to this question (key " + key.substr(0, 12) + "...); record it again");
         }
     }
-    Answer answer = model_->ask(messages, stop);
+    ChatAnswer answer = model_->ask(messages, stop);
     const std::lock_guard lock(mutex_);
     append(key, messages, answer);
     entries_[key].answers.push_back(answer);
@@ -118,7 +118,7 @@ Answer RecordedModel::ask(const std::vector<Message>& messages, std::stop_token 
 }
 
 void RecordedModel::append(const std::string& key, const std::vector<Message>& messages,
-                           const Answer& answer) {
+                           const ChatAnswer& answer) {
     Json list = Json::array();
     for (const Message& message : messages) {
         Json images = Json::array();

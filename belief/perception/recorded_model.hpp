@@ -34,18 +34,18 @@ class RecordedModel : public ChatModel {
     std::string name() const override { return name_; }
     /// In replay, a question asked again gets its next recorded answer, and the last one from then on. May be
     /// called from several threads.
-    Answer ask(const std::vector<Message>& messages, std::stop_token stop) override;
+    ChatAnswer ask(const std::vector<Message>& messages, std::stop_token stop) override;
 
     std::int64_t replayed() const;  ///< answers from the file
     std::int64_t recorded() const;  ///< answers added to it
 
   private:
     struct Entry {
-        std::vector<Answer> answers;
+        std::vector<ChatAnswer> answers;
         std::size_t next = 0;
     };
     void read();
-    void append(const std::string& key, const std::vector<Message>& messages, const Answer& answer);
+    void append(const std::string& key, const std::vector<Message>& messages, const ChatAnswer& answer);
 
     std::filesystem::path file_;
     RecordMode mode_;

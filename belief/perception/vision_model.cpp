@@ -69,13 +69,21 @@ HttpRequest VisionModel::request_for(const std::vector<Message>& messages) const
     return request;
 }
 
-Answer VisionModel::ask(const std::vector<Message>& messages, std::stop_token stop) {
+void VisionModel::check_cost() const {
+    const double cost = counters().cost;
+    if (!options_.cost_limit || cost < *options_.cost_limit) return;
+    throw PerceptionError("the answers have cost " + std::to_string(cost) + ", and the limit is " +
+                          std::to_string(*options_.cost_limit));
+}
+
+ChatAnswer VisionModel::ask(const std::vector<Message>& messages, std::stop_token stop) {
+    check_cost();
     const auto begin = std::chrono::steady_clock::now();
     const auto count_time = [&] {
         counters_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
     try {
-        const Answer answer = ask_again_and_again(request_for(messages), stop);
+        const ChatAnswer answer = ask_again_and_again(request_for(messages), stop);
         const std::lock_guard lock(mutex_);
         ++counters_.answers;
         counters_.prompt_tokens += answer.prompt_tokens;
@@ -92,7 +100,7 @@ Answer VisionModel::ask(const std::vector<Message>& messages, std::stop_token st
     }
 }
 
-Answer VisionModel::ask_again_and_again(const HttpRequest& request, const std::stop_token& stop) {
+ChatAnswer VisionModel::ask_again_and_again(const HttpRequest& request, const std::stop_token& stop) {
     for (int attempt = 1;; ++attempt) {
         {
             const std::lock_guard lock(mutex_);

@@ -33,6 +33,8 @@ struct VisionModelOptions {
     std::string more;
     double prompt_price = 0;  ///< per million tokens, in any currency
     double completion_price = 0;
+    /// Nothing is asked any more once the answers have cost this much.
+    std::optional<double> cost_limit;
     std::uint64_t seed = 0;  ///< of the pauses' jitter
 };
 
@@ -54,12 +56,13 @@ class VisionModel : public ChatModel {
 
     std::string name() const override { return options_.model; }
     /// May be called from several threads.
-    Answer ask(const std::vector<Message>& messages, std::stop_token stop) override;
+    ChatAnswer ask(const std::vector<Message>& messages, std::stop_token stop) override;
 
     VisionModelCounters counters() const;
 
   private:
-    Answer ask_again_and_again(const HttpRequest& request, const std::stop_token& stop);
+    void check_cost() const;
+    ChatAnswer ask_again_and_again(const HttpRequest& request, const std::stop_token& stop);
     void pause(int attempt, const std::string& retry_after, const std::string& why,
                const std::stop_token& stop);
     HttpRequest request_for(const std::vector<Message>& messages) const;

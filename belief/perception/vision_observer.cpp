@@ -87,7 +87,7 @@ QuestionAnswers VisionObserver::ask(const std::vector<View>& views, std::span<co
     for (const View& view : views) messages.back().images.push_back(view.image);
 
     for (int attempt = 1;; ++attempt) {
-        const Answer answer = model_.ask(messages, stop);
+        const ChatAnswer answer = model_.ask(messages, stop);
         QuestionAnswers read =
             read_question_answers(answer.text, questions.size(), names, options_.texts.types);
         if (!read.usable && answer.cut_off) read.problems.emplace_back("the answer is cut off");

@@ -34,6 +34,8 @@ class Policy {
     virtual Decision next(Belief& belief, const Budget& budget) = 0;
     /// What has been read after an action, and before the first one.
     virtual void observed(std::span<const Answer>) {}
+    /// The last action failed or was refused.
+    virtual void failed() {}
     /// Chooses actions that the world may refuse; a refusal costs a step and no more.
     virtual bool tries_anything() const { return false; }
     /// Processor seconds of each search for a plan so far.

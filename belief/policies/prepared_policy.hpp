@@ -15,6 +15,7 @@ class PreparedPolicy : public Policy {
 
     Decision next(Belief& belief, const Budget& budget) override;
     void observed(std::span<const Answer> answers) override;
+    void failed() override { lost_ = true; }
 
   private:
     std::shared_ptr<const ConditionalPlan> plan_;

@@ -1,5 +1,6 @@
 #include "belief/policies/run_policy.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,17 +49,25 @@ class PolicyRun {
     void act(std::uint32_t action) {
         ++result_.steps;
         const Execution execution = environment_.execute(action, budget_.stop_token());
-        const bool done = execution.status == Execution::Status::done;
-        tell(done ? Event::Kind::executed : Event::Kind::failed, action, execution.message);
-        const bool refused = execution.status == Execution::Status::illegal;
-        if (refused && policy_.tries_anything()) return;
-        result_.run.actions.push_back(action);
-        if (refused) return finish(RunStatus::illegal, execution.message);
-        if (done) {
+        using Status = Execution::Status;
+        std::optional<Supposition> supposed;
+        if (execution.status == Status::done) {
             if (!belief_.can(action)) learn_precondition(action);
             belief_.act(action);
+        } else if (execution.status == Status::failed) {
+            supposed = belief_.fail(action);
         }
-        observe(action);
+        tell(execution.status == Status::done ? Event::Kind::executed : Event::Kind::failed, action,
+             execution.message);
+        const bool refused = execution.status == Status::illegal;
+        if (refused && policy_.tries_anything()) return;
+        result_.run.actions.push_back(action);
+        if (execution.status != Status::done) policy_.failed();
+        if (refused) supposed = belief_.refuse(action);
+        if (supposed && !supposed->facts.empty())
+            tell(Event::Kind::supposed, Environment::kStart, to_string(*supposed, *task().physical));
+        if (!refused) return observe(action);
+        if (!supposed) finish(RunStatus::illegal, execution.message);
     }
 
     /// The loop does the rest.

@@ -77,6 +77,12 @@ void RunRecorder::tell(const Event& event, const Belief& belief) {
         case Event::Kind::read:
             steps_.back().read.push_back(readable(event.text));
             break;
+        case Event::Kind::found:
+            steps_.back().read.push_back("found " + event.text);
+            break;
+        case Event::Kind::supposed:
+            steps_.back().read.push_back("supposed: " + event.text);
+            break;
         case Event::Kind::planned:
             steps_.back().plans.push_back({event.text, {}});
             for (const std::uint32_t action : event.plan)
@@ -109,17 +115,14 @@ std::vector<RunRecorder::Row> RunRecorder::rows() const {
         const bool in_goal = wanted != goal.end();
         if (!in_goal && !task_->uncertain[v] && seen[v].size() == 1) continue;
         const bool derived = physical.derived(variable);
-        const auto is_atom = [&](std::int32_t value) {
-            return physical.fact_forms[physical.fact_number({variable, value})] ==
-                   FiniteDomainTask::FactForm::atom;
-        };
-        if (physical.domain_sizes[v] == 2 && !(is_atom(0) && is_atom(1))) {
+        if (physical.domain_sizes[v] == 2 &&
+            !(physical.is_atom({variable, 0}) && physical.is_atom({variable, 1}))) {
             const std::int32_t value = report_holds(*task_, {variable, 1}) ? 1 : 0;
             result.push_back({report_atom(*task_, variable), {variable, value}, in_goal, derived});
             continue;
         }
         for (const std::int32_t value : seen[v]) {
-            if (value == BeliefTask::kUnknown || !is_atom(value)) continue;
+            if (value == BeliefTask::kUnknown || !physical.is_atom({variable, value})) continue;
             result.push_back({report_text(*task_, {variable, value}),
                               {variable, value},
                               in_goal && wanted->second == value,

@@ -25,6 +25,9 @@ struct PracticeOptions {
     bool reset = true;
     /// Which skills may be practised: those "tried" at least once, or "all".
     std::string candidates = "tried";
+    /// Attempts of a skill after which the scores are made anew (sooner where policies are learned or the
+    /// skill is out of reach).
+    int score_every = 5;
     /// Weight of the upper-confidence bonus sqrt(ln(all tries) / tries) in scores.
     double bonus = 0.1;
     /// Tasks over which plans are costed: the first `situations` seen, and the last `replans` states in which

@@ -16,8 +16,9 @@ namespace {
 constexpr std::uint64_t kTestTasks = 4, kTests = 5;
 
 void check(const PracticeOptions& options) {
-    if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.test_tasks < 0 ||
-        options.test_every < 0 || options.situations < 1 || options.replans < 0 || !(options.bonus >= 0))
+    if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.score_every < 1 ||
+        options.test_tasks < 0 || options.test_every < 0 || options.situations < 1 || options.replans < 0 ||
+        !(options.bonus >= 0))
         throw std::invalid_argument(
             "cycles, steps, tasks and the bonus must not be negative, and there must be one situation at "
             "least");
@@ -160,11 +161,11 @@ std::string settings_text(const Environment& environment, const PracticeOptions&
     text << environment.description().name << " method=" << o.method << " seed=" << o.seed
          << " cycle_steps=" << o.cycle_steps << " learn_every=" << o.learn_every
          << " test_tasks=" << o.test_tasks << " test_every=" << o.test_every << " reset=" << o.reset
-         << " candidates=" << o.candidates << " bonus=" << o.bonus << " situations=" << o.situations
-         << " replans=" << o.replans << " sharing=" << o.sharing << " competence=" << o.competence.model
-         << "(" << o.competence.prior.successes << "," << o.competence.prior.failures << ","
-         << o.competence.window << "," << o.competence.recency << "," << o.competence.bonus
-         << ") policy=" << o.policy.classifier.kind << "(" << o.policy.candidates << ","
+         << " candidates=" << o.candidates << " score_every=" << o.score_every << " bonus=" << o.bonus
+         << " situations=" << o.situations << " replans=" << o.replans << " sharing=" << o.sharing
+         << " competence=" << o.competence.model << "(" << o.competence.prior.successes << ","
+         << o.competence.prior.failures << "," << o.competence.window << "," << o.competence.recency << ","
+         << o.competence.bonus << ") policy=" << o.policy.classifier.kind << "(" << o.policy.candidates << ","
          << o.policy.exploration << "," << o.policy.epsilon << "," << o.policy.features
          << ") planner=" << o.planner.most_states << "," << o.planner.search;
     return text.str();

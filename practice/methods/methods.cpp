@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "practice/methods/ees_method.hpp"
+#include "practice/methods/maple_q_method.hpp"
 #include "practice/methods/other_methods.hpp"
 #include "practice/methods/simple_scores.hpp"
 
@@ -33,6 +34,8 @@ const std::vector<Entry>& entries() {
         {{"random-skills", "random skills, without planning to where one can be executed"},
          make<RandomSkillsMethod>},
         {{"task-repeat", "the task again and again, there and back"}, make<TaskRepeatMethod>},
+        {{"maple-q", "a learned value function chooses skills and parameters, without plans"},
+         make<MapleQMethod>},
     };
     return all;
 }

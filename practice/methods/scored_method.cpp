@@ -41,6 +41,7 @@ void ScoredMethod::choose() {
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     target_ = 0;
     chosen_ = true;
+    attempts_ = 0;
 }
 
 std::optional<SkillIndex> ScoredMethod::step_to_candidate(const Moment& now) {
@@ -75,7 +76,7 @@ void ScoredMethod::observe(const Moment& before, const Decision& decision, const
     PlannedMethod::observe(before, decision, after, success, test);
     if (test || !attempting_) return;
     attempting_ = false;
-    chosen_ = false;
+    if (++attempts_ >= learner_->options().score_every) chosen_ = false;
     practice_plan_.forget();
 }
 

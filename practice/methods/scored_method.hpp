@@ -1,8 +1,8 @@
 // Methods that give each candidate a score, plan to where the best one can be executed, and execute it.
 //
 // A candidate is a ground skill that was tried (or any one, by option). The skill with the best score that
-// can be reached is practised once, then scores are made anew. If none can be reached, a random skill is
-// executed.
+// can be reached is practised a few times, then scores are made anew. If none can be reached, a random skill
+// is executed.
 #pragma once
 
 #include <optional>
@@ -30,6 +30,7 @@ class ScoredMethod : public PlannedMethod {
     std::optional<Decision> practise(const Moment& now) final;
     void observe(const Moment& before, const Decision& decision, const Moment& after, bool success,
                  bool test) final;
+    void learned() final { chosen_ = false; }
     void end_cycle() final;
     std::vector<PracticeChoice> take_choices() final;
 
@@ -49,6 +50,7 @@ class ScoredMethod : public PlannedMethod {
     std::vector<Candidate> ranking_;  // best first; empty: choose anew
     std::size_t target_ = 0;          // in `ranking_`
     bool chosen_ = false;
+    int attempts_ = 0;         // since then
     bool attempting_ = false;  // the last decision was the practice itself, not the way there
     int cycle_ = 0;
     bool recorded_ = false;  // of this cycle

@@ -88,6 +88,8 @@ struct FiniteDomainTask {
     std::uint32_t fact_number(Fact fact) const {
         return first_fact[static_cast<std::size_t>(fact.variable)] + static_cast<std::uint32_t>(fact.value);
     }
+    /// The fact says that its atom holds, not that it does not or that none of several does.
+    bool is_atom(Fact fact) const { return fact_forms[fact_number(fact)] == FactForm::atom; }
     /// "(pick ball1 rooma left)".
     std::string operator_name(OperatorId id) const { return "(" + operator_names.words(id.index()) + ")"; }
     /// "Atom at(truck1, depot0)", "NegatedAtom ...", "<none of those>".

@@ -156,6 +156,60 @@ TEST_F(BeliefCommand, RunsThatFailMakeTheCommandFail) {
     EXPECT_EQ(values["runs"][0]["success"], false);
 }
 
+TEST_F(BeliefCommand, AGoalOutOfReachInEveryWorldIsProved) {
+    const std::string nothing = folder.write(
+        "nothing.pddl",
+        "(define (domain boxes) (:requirements :typing :contingent) (:types box)\n"
+        "  (:predicates (in ?b - box) (have) (key))\n"
+        "  (:action look :parameters (?b - box) :observe (in ?b))\n"
+        "  (:action take :parameters (?b - box) :precondition (and (in ?b) (key)) :effect (have)))\n");
+    const Outcome outcome = plan({"belief", nothing, problem, "--seeds", "2", "--json", json});
+    EXPECT_EQ(outcome.exit_code, 11) << outcome.err;
+    EXPECT_EQ(report()["status"], "unsolvable");
+    EXPECT_EQ(runs()[0]["status"], "infeasible");
+}
+
+TEST_F(BeliefCommand, FailedActionsAreToldAndCounted) {
+    const Outcome outcome = belief({"--seeds", "50", "--failures", "0.3", "--json", json, "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    std::size_t failures = 0;
+    for (const auto& run : runs()) failures += run.value("failures", 0u);
+    EXPECT_GT(failures, 10u);
+    bool told = false;
+    for (int seed = 0; seed < 20 && !told; ++seed)
+        told = contains(belief({"--failures", "0.5", "--seed", std::to_string(seed)}).out, "; failed: (");
+    EXPECT_TRUE(told);
+    EXPECT_EQ(belief({"--failures", "2"}).exit_code, 31);
+}
+
+TEST_F(BeliefCommand, ObjectsAreFoundOnTheWay) {
+    const std::string drawers = folder.write(
+        "drawers.pddl",
+        "(define (domain drawers) (:requirements :adl :typing) (:types thing drawer)\n"
+        "  (:predicates (at ?t - thing ?d - drawer) (out ?t - thing) (searched ?d - drawer))\n"
+        "  (:action open :parameters (?d - drawer) :effect (searched ?d)\n"
+        "    :observe (forall (?t - thing) (at ?t ?d)))\n"
+        "  (:action take :parameters (?t - thing ?d - drawer) :precondition (at ?t ?d) :effect (out ?t)))\n");
+    const std::string search = folder.write(
+        "search.pddl",
+        "(define (problem search) (:domain drawers) (:objects d1 d2 - drawer) (:hidden-objects cup - thing)\n"
+        "  (:init (oneof (at cup d1) (at cup d2)))\n"
+        "  (:goal (and (searched d1) (searched d2) (forall (?t - thing) (out ?t)))))\n");
+    const Outcome outcome = plan({"belief", drawers, search, "--json", json});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, ";   found cup\n")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "(take cup d")) << outcome.out;
+    EXPECT_EQ(runs()[0]["found"], nlohmann::json::array({"cup"}));
+    const Outcome table = plan({"belief", drawers, search, "--seeds", "10", "--failures", "0.2"});
+    EXPECT_EQ(table.exit_code, 0) << table.out << table.err;
+    EXPECT_TRUE(contains(table.out, "10 reached the goal")) << table.out;
+    for (const std::string option : {"--optimum", "--offline"}) {
+        const Outcome refused = plan({"belief", drawers, search, option});
+        EXPECT_EQ(refused.exit_code, 31);
+        EXPECT_TRUE(contains(refused.err, option + " does not go with ':hidden-objects'")) << refused.err;
+    }
+}
+
 TEST_F(BeliefCommand, TheStepLimitHolds) {
     const Outcome outcome = belief({"--world", worlds, "--max-steps", "1", "--json", json});
     EXPECT_EQ(outcome.exit_code, 12) << outcome.err;

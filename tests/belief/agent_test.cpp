@@ -52,7 +52,8 @@ class Case {
         Belief belief(planner->shared_compilation());
         events.clear();
         return Agent(planner, options).run(belief, *scripted, budget, [&](const Event& event, const Belief&) {
-            static constexpr const char* kKinds[] = {"planned", "executed", "failed", "read", "finished"};
+            static constexpr const char* kKinds[] = {"planned",  "executed", "failed", "read",
+                                                     "finished", "supposed", "found"};
             events.push_back(std::string(kKinds[static_cast<int>(event.kind)]) +
                              (event.kind == Event::Kind::planned ? "" : " " + event.text));
         });

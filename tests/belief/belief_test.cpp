@@ -237,12 +237,21 @@ TEST(Belief, FingerprintsTellApartWhatCanStillBeDeduced) {
     EXPECT_NE(one.belief().fingerprint(), other.belief().fingerprint());
 }
 
-TEST(Belief, Forget) {
+TEST(Belief, WhatAFailedActionMayHaveChangedIsNotKnown) {
     Knowing knows(with("(oneof (p) (q))"));
     EXPECT_TRUE(knows.read("(p)", true));
-    knows.belief().forget(fact_of(knows.task(), "(p)").variable);
+    knows.belief().fail(action_of(knows.task(), "(clear-p)"));
     EXPECT_EQ(knows("(p)"), kUnknown);
     EXPECT_EQ(knows("(q)"), kFalse);
+    EXPECT_TRUE(knows.read("(p)", false));
+    EXPECT_EQ(knows("(p)"), kFalse);
+}
+
+TEST(Belief, AFailureThatCouldChangeNothingLeavesEverythingKnown) {
+    Knowing knows(with("(oneof (p) (q))"));
+    EXPECT_TRUE(knows.read("(p)", true));
+    EXPECT_FALSE(knows.belief().fail(action_of(knows.task(), "(set-p)")));
+    EXPECT_EQ(knows("(p)"), kTrue);
 }
 
 TEST(Belief, ContradictionsOnlyFoundByCasesLeaveNoModel) {

@@ -41,8 +41,7 @@ inline Fact fact_of(const BeliefTask& task, const std::string& atom) {
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(physical.variable_count()); ++v)
         for (std::int32_t value = 0; value < physical.domain_sizes[static_cast<std::size_t>(v)]; ++value) {
             const std::uint32_t number = physical.fact_number({v, value});
-            if (physical.fact_forms[number] == FiniteDomainTask::FactForm::atom &&
-                "(" + physical.fact_names.words(number) + ")" == atom)
+            if (physical.is_atom({v, value}) && "(" + physical.fact_names.words(number) + ")" == atom)
                 return {v, value};
         }
     return {-1, 0};

@@ -119,8 +119,7 @@ TEST(Omniscient, SeesThatThereIsNoPlan) {
     WorldState world = task->initial_values;
     for (std::size_t v = 0; v < world.size(); ++v) {
         if (world[v] != BeliefTask::kUnknown) continue;
-        const std::uint32_t first = task->physical->fact_number({static_cast<std::int32_t>(v), 0});
-        world[v] = task->physical->fact_forms[first] == FiniteDomainTask::FactForm::atom ? 1 : 0;
+        world[v] = task->physical->is_atom({static_cast<std::int32_t>(v), 0}) ? 1 : 0;
     }
     EXPECT_EQ(Omniscient(task).cost(world).status, Omniscient::Status::unsolvable);
 }

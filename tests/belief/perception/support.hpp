@@ -20,7 +20,7 @@ class FunctionModel : public belief::ChatModel {
     using Function = std::function<std::string(const std::vector<belief::Message>&)>;
     explicit FunctionModel(Function function) : function_(std::move(function)) {}
     std::string name() const override { return "function"; }
-    belief::Answer ask(const std::vector<belief::Message>& messages, std::stop_token) override {
+    belief::ChatAnswer ask(const std::vector<belief::Message>& messages, std::stop_token) override {
         ++asked;
         return {function_(messages), false, 10, 5};
     }

@@ -50,7 +50,7 @@ TEST(VisionModel, SpeaksTheProtocol) {
     options.prompt_price = 2.5;
     options.completion_price = 10;
     VisionModel model(options);
-    const Answer answer = model.ask(kQuestion, {});
+    const ChatAnswer answer = model.ask(kQuestion, {});
     EXPECT_EQ(answer.text, "a cup");
     EXPECT_FALSE(answer.cut_off);
 
@@ -240,7 +240,7 @@ TEST(VisionModel, ReadsTheVariantsOfAnAnswer) {
         return fails(200, R"({"choices":[{"message":{"content":null,"refusal":"I will not"}}]})");
     });
     VisionModel model(options_for(server.base()));
-    const Answer answer = model.ask(kQuestion, {});
+    const ChatAnswer answer = model.ask(kQuestion, {});
     EXPECT_EQ(answer.text, "in parts");
     EXPECT_TRUE(answer.cut_off);
     EXPECT_EQ(answer.prompt_tokens, 0);
