@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kLeastGain = 1e-6;  // nats
+// Gains of plans are smaller than the success rates that the bonus was made for.
+constexpr double kBonusShare = 0.3;
 
 }  // namespace
 
@@ -38,7 +40,8 @@ bool EesMethod::considers(SkillIndex skill) const {
 void EesMethod::score(std::span<Candidate> candidates) {
     const double now = situate(candidates);
     for (Candidate& candidate : candidates)
-        candidate.score = now - candidate.cost > kLeastGain ? candidate.bonus - candidate.cost : kNever;
+        candidate.score =
+            now - candidate.cost > kLeastGain ? kBonusShare * candidate.bonus - candidate.cost : kNever;
 }
 
 }  // namespace praxis::practice

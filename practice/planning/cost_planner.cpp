@@ -4,33 +4,41 @@
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+
+#include "practice/planning/relevance.hpp"
 
 namespace praxis::practice {
+
+struct CostPlanner::Scratch {
+    explicit Scratch(const StateGraph& graph) : paths(graph), improved(graph) {}
+    ShortestPaths paths;
+    ImprovedPaths improved;
+};
+
+/// The states of all goals for which the same variables matter.
+struct CostPlanner::Space {
+    Space(const SkillTask& skills, std::vector<unsigned char> the_relevant, const CostPlannerOptions& options)
+        : relevant(std::move(the_relevant)), graph(skills, relevant, options.most_states) {
+        for (int thread = 0; thread < options.threads; ++thread) scratch.emplace_back(graph);
+    }
+    std::vector<unsigned char> relevant;  // by variable
+    StateGraph graph;
+    std::vector<Scratch> scratch;  // by thread
+};
 
 /// What is known about one goal.
 struct CostPlanner::GoalTable {
     std::vector<Fact> goal;
+    Space* space = nullptr;
     std::size_t states = 0;        // of the graph when `nodes` was made
     std::vector<NodeIndex> nodes;  // where the goal holds
     std::vector<Cost> costs;       // those of the last question
     std::vector<Cost> distances;   // by node for `costs`, or empty
+    std::size_t looked_at = 0;     // nodes, to find ways with `costs`
 };
 
 namespace {
-
-/// The situations of one goal: each node once, and how often.
-struct Group {
-    std::vector<NodeIndex> nodes;
-    std::vector<double> weights;
-};
-
-double weighted(const Group& group, std::span<const Cost> distances) {
-    double sum = 0;
-    for (std::size_t i = 0; i < group.nodes.size(); ++i) {
-        if (distances[i] != kNoPlan) sum += group.weights[i] * nats(distances[i]);
-    }
-    return sum;
-}
 
 /// Calls work(thread, i) for all i below `count`.
 template <class Work>
@@ -47,46 +55,71 @@ void in_parallel(int threads, std::size_t count, Work&& work) {
 
 constexpr std::size_t kWorthAThread = 200'000;  // edges that the threads may have to look at
 
+std::vector<Cost> least_costs(std::span<const Cost> costs, std::span<const Improvement> improvements) {
+    std::vector<Cost> least(costs.begin(), costs.end());
+    for (const auto [skill, cost] : improvements) least[skill] = std::min(least[skill], cost);
+    return least;
+}
+
 }  // namespace
 
 CostPlanner::CostPlanner(const SkillTask& skills, const CostPlannerOptions& options)
-    : skills_(&skills), options_(options), graph_(skills, options.most_states) {
+    : skills_(&skills), options_(options) {
     if (options.threads < 1) throw std::invalid_argument("a planner needs at least one thread");
     configuration(options.search);
-    for (int thread = 0; thread < options.threads; ++thread) scratch_.emplace_back(graph_);
 }
 
 CostPlanner::~CostPlanner() = default;
 
+std::size_t CostPlanner::states() const {
+    std::size_t sum = 0;
+    for (const auto& space : spaces_) sum += space->graph.size();
+    return sum;
+}
+
 CostPlanner::GoalTable& CostPlanner::table(const std::vector<Fact>& goal) {
-    GoalTable* found = nullptr;
     for (const auto& table : tables_) {
-        if (table->goal == goal) found = table.get();
+        if (table->goal == goal) return *table;
     }
-    if (found == nullptr) {
-        found = tables_.emplace_back(std::make_unique<GoalTable>()).get();
-        found->goal = goal;
+    GoalTable& made = *tables_.emplace_back(std::make_unique<GoalTable>());
+    made.goal = goal;
+    std::vector<unsigned char> relevant = relevant_variables(skills_->task(), goal);
+    for (const auto& space : spaces_) {
+        if (space->relevant == relevant) made.space = space.get();
     }
-    if (found->states != graph_.size()) {
-        found->states = graph_.size();
-        found->nodes = graph_.where(goal);
-        found->distances.clear();
-    }
-    return *found;
+    if (made.space == nullptr)
+        made.space =
+            spaces_.emplace_back(std::make_unique<Space>(*skills_, std::move(relevant), options_)).get();
+    return made;
+}
+
+bool CostPlanner::reach(GoalTable& table, const std::vector<std::int32_t>& values, NodeIndex& node) {
+    StateGraph& graph = table.space->graph;
+    if (!graph.reach(values, node)) return false;
+    refresh(table);
+    return true;
+}
+
+void CostPlanner::refresh(GoalTable& table) {
+    const StateGraph& graph = table.space->graph;
+    if (table.states == graph.size()) return;
+    table.states = graph.size();
+    table.nodes = graph.where(table.goal);
+    table.distances.clear();
 }
 
 void CostPlanner::update(GoalTable& table, std::span<const Cost> costs) {
     if (!table.distances.empty() && std::ranges::equal(table.costs, costs)) return;
     table.costs.assign(costs.begin(), costs.end());
-    scratch_[0].to_goals(table.nodes, costs, table.distances);
+    table.space->scratch[0].paths.to_goals(table.nodes, costs, table.distances);
 }
 
 std::optional<SkillPlan> CostPlanner::descend(const GoalTable& table, NodeIndex node,
-                                              std::span<const Cost> costs) const {
+                                              std::span<const Cost> costs) {
     if (table.distances[node] == kNoPlan) return std::nullopt;
     SkillPlan plan{{}, table.distances[node]};
     while (table.distances[node] > 0) {
-        for (const StateGraph::Edge& edge : graph_.forward(node)) {
+        for (const StateGraph::Edge& edge : table.space->graph.forward(node)) {
             if (table.distances[edge.node] == kNoPlan ||
                 table.distances[edge.node] + costs[edge.skill] != table.distances[node])
                 continue;
@@ -100,18 +133,22 @@ std::optional<SkillPlan> CostPlanner::descend(const GoalTable& table, NodeIndex 
 
 std::optional<SkillPlan> CostPlanner::plan(const Situation& situation, std::span<const Cost> costs) {
     if (costs.size() != skills_->size()) throw std::invalid_argument("one cost a skill is needed");
-    NodeIndex node = 0;
-    if (!graph_.reach(situation.values, node)) return search(situation, costs);
     GoalTable& goal = table(situation.goal);
-    const bool again = std::ranges::equal(goal.costs, costs);
-    if (again) {
-        update(goal, costs);
-        return descend(goal, node, costs);
+    NodeIndex node = 0;
+    if (!reach(goal, situation.values, node)) return search(situation, costs);
+    if (!std::ranges::equal(goal.costs, costs)) {
+        goal.costs.assign(costs.begin(), costs.end());
+        goal.distances.clear();
+        goal.looked_at = 0;
     }
-    goal.costs.assign(costs.begin(), costs.end());
-    goal.distances.clear();
+    // Ways are cheap where goals are near; a table is worth it once they have cost as much as one.
+    if (goal.looked_at > goal.states) update(goal, costs);
+    if (!goal.distances.empty()) return descend(goal, node, costs);
     SkillPlan plan;
-    if (!scratch_[0].way(node, goal.nodes, costs, plan.skills, plan.cost)) return std::nullopt;
+    ShortestPaths& paths = goal.space->scratch[0].paths;
+    const bool found = paths.way(node, goal.nodes, costs, plan.skills, plan.cost);
+    goal.looked_at += paths.looked_at();
+    if (!found) return std::nullopt;
     return plan;
 }
 
@@ -119,62 +156,66 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
                                                 std::span<const Cost> costs,
                                                 std::span<const Improvement> improvements) {
     if (costs.size() != skills_->size()) throw std::invalid_argument("one cost a skill is needed");
-    std::vector<NodeIndex> start(situations.size());
-    for (std::size_t i = 0; i < situations.size(); ++i) {
-        if (!graph_.reach(situations[i].values, start[i]))
-            return search_costs(situations, costs, improvements);
+    std::vector<Task> tasks;
+    for (const Situation& situation : situations) {
+        GoalTable& goal = table(situation.goal);
+        NodeIndex node = 0;
+        if (!reach(goal, situation.values, node)) return search_costs(situations, costs, improvements);
+        const auto same = std::ranges::find_if(
+            tasks, [&](const Task& task) { return task.from == node && task.goal == &goal; });
+        if (same != tasks.end())
+            same->weight += 1;
+        else
+            tasks.push_back({node, &goal, 1});
     }
-    std::vector<GoalTable*> goals;
-    std::vector<Group> groups;
-    double solvable = 0;
-    for (std::size_t i = 0; i < situations.size(); ++i) {
-        GoalTable& goal = table(situations[i].goal);
-        const auto known = static_cast<std::size_t>(std::ranges::find(goals, &goal) - goals.begin());
-        if (known == goals.size()) {
-            update(goal, costs);
-            goals.push_back(&goal);
-            groups.emplace_back();
-        }
-        if (goal.distances[start[i]] == kNoPlan) continue;
-        solvable += 1;
-        Group& group = groups[known];
-        const auto place =
-            static_cast<std::size_t>(std::ranges::find(group.nodes, start[i]) - group.nodes.begin());
-        if (place == group.nodes.size()) {
-            group.nodes.push_back(start[i]);
-            group.weights.push_back(0);
-        }
-        group.weights[place] += 1;
+    // Later situations may have made a graph larger.
+    std::size_t edges = 0;
+    for (const Task& task : tasks) {
+        refresh(*task.goal);
+        edges += improvements.size() * task.goal->space->graph.edge_count();
     }
-    if (solvable == 0)
-        return std::vector<double>(improvements.size(), std::numeric_limits<double>::infinity());
-
-    const auto sum_of = [&](int thread, const Improvement& improvement) {
-        ShortestPaths& paths = scratch_[static_cast<std::size_t>(thread)];
-        double sum = 0;
-        std::vector<Cost> result;
-        for (std::size_t g = 0; g < goals.size(); ++g) {
-            const Group& group = groups[g];
-            result.resize(group.nodes.size());
-            if (improvement.cost <= costs[improvement.skill]) {
-                paths.cheaper(goals[g]->distances, costs, improvement.skill, improvement.cost, group.nodes,
-                              result);
-            } else {
-                std::vector<Cost> changed(costs.begin(), costs.end());
-                std::vector<Cost> distances;
-                changed[improvement.skill] = improvement.cost;
-                paths.to_goals(goals[g]->nodes, changed, distances);
-                for (std::size_t i = 0; i < result.size(); ++i) result[i] = distances[group.nodes[i]];
-            }
-            sum += weighted(group, result);
-        }
-        return sum / solvable;
-    };
-    std::vector<double> means(improvements.size());
-    const bool many = improvements.size() * goals.size() * graph_.edge_count() > kWorthAThread;
-    in_parallel(many ? options_.threads : 1, improvements.size(),
-                [&](int thread, std::size_t i) { means[i] = sum_of(thread, improvements[i]); });
+    const std::vector<Cost> least = least_costs(costs, improvements);
+    const int threads = edges > kWorthAThread ? options_.threads : 1;
+    // One row a task, so that the sum does not depend on the threads.
+    const std::size_t width = improvements.size();
+    std::vector<double> rows(tasks.size() * width, 0);
+    std::vector<unsigned char> solvable(tasks.size());
+    in_parallel(threads, tasks.size(), [&](int thread, std::size_t i) {
+        solvable[i] = weigh(tasks[i].goal->space->scratch[static_cast<std::size_t>(thread)], tasks[i],
+                            {costs, least, improvements}, std::span(rows).subspan(i * width, width));
+    });
+    std::vector<double> means(width, 0);
+    double weight = 0;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (!solvable[i]) continue;
+        weight += tasks[i].weight;
+        for (std::size_t j = 0; j < width; ++j) means[j] += rows[i * width + j];
+    }
+    for (double& mean : means) mean = weight > 0 ? mean / weight : std::numeric_limits<double>::infinity();
     return means;
+}
+
+bool CostPlanner::weigh(Scratch& scratch, const Task& task, const Question& question,
+                        std::span<double> result) {
+    const auto& [costs, least, improvements] = question;
+    std::vector<SkillIndex> plan;
+    Cost plan_cost = 0;
+    if (!scratch.paths.way(task.from, task.goal->nodes, costs, plan, plan_cost)) return false;
+    scratch.improved.begin(task.from, task.goal->nodes, costs, least, plan, plan_cost);
+    for (std::size_t i = 0; i < improvements.size(); ++i) {
+        const auto [skill, cost] = improvements[i];
+        Cost improved = plan_cost;
+        if (cost <= costs[skill]) {
+            improved = scratch.improved.cost(improvements[i]);
+        } else if (std::ranges::find(plan, skill) != plan.end()) {
+            std::vector<Cost> changed(costs.begin(), costs.end());
+            changed[skill] = cost;
+            std::vector<SkillIndex> other;
+            scratch.paths.way(task.from, task.goal->nodes, changed, other, improved);
+        }
+        result[i] = task.weight * nats(improved);
+    }
+    return true;
 }
 
 std::optional<SkillPlan> CostPlanner::search(const Situation& situation, std::span<const Cost> costs) const {

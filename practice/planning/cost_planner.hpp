@@ -1,8 +1,9 @@
 // Plans that are most likely to succeed, and what they would cost if a skill were better.
 //
-// One planner serves a whole run of practice: the states are expanded once (`StateGraph`), then a plan for
-// changed costs, from a changed state, to a changed goal is a shortest path, exact. Where a task has more
-// states than `most_states`, plans come from the search given by `search`, with costs rounded to 2^-20 nat.
+// One planner serves a whole run of practice: the states are expanded once (`StateGraph`, one for each set of
+// variables that matter for a goal), then a plan for changed costs, from a changed state, to a changed goal
+// is a shortest path, exact. Where a task has more states than `most_states`, plans come from the search
+// given by `search`, with costs rounded to 2^-20 nat.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "practice/planning/improved_paths.hpp"
 #include "practice/planning/shortest_paths.hpp"
 
 namespace praxis::practice {
@@ -27,12 +29,6 @@ struct Situation {
     std::vector<std::int32_t> values;  ///< by variable, derived ones too
     std::vector<Fact> goal;            ///< sorted
     friend bool operator==(const Situation&, const Situation&) = default;
-};
-
-/// What if a skill cost this?
-struct Improvement {
-    SkillIndex skill;
-    Cost cost;
 };
 
 struct CostPlannerOptions {
@@ -57,23 +53,44 @@ class CostPlanner {
     std::vector<double> expected_costs(std::span<const Situation> situations, std::span<const Cost> costs,
                                        std::span<const Improvement> improvements);
 
-    /// Symbolic states met so far.
-    std::size_t states() const { return graph_.size(); }
+    CostPlanner(const CostPlanner&) = delete;
+    CostPlanner& operator=(const CostPlanner&) = delete;
+
+    /// Symbolic states met so far; those of goals for which different variables matter are different states.
+    std::size_t states() const;
 
   private:
+    struct Scratch;
+    struct Space;
     struct GoalTable;
+    /// The situations of one goal and state.
+    struct Task {
+        NodeIndex from;
+        GoalTable* goal;
+        double weight;  ///< how many there are
+    };
+    struct Question {
+        std::span<const Cost> costs;
+        std::span<const Cost> least;  ///< by skill, with all improvements
+        std::span<const Improvement> improvements;
+    };
+    /// What the plan of a task costs in nats, times its weight, by improvement. False: there is no plan.
+    static bool weigh(Scratch& scratch, const Task& task, const Question& question, std::span<double> result);
     GoalTable& table(const std::vector<Fact>& goal);
-    void update(GoalTable& table, std::span<const Cost> costs);
-    std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
-                                     std::span<const Cost> costs) const;
+    /// The node of the values in the goal's graph. False: the graph is too large.
+    static bool reach(GoalTable& table, const std::vector<std::int32_t>& values, NodeIndex& node);
+    /// Takes in that the graph has grown.
+    static void refresh(GoalTable& table);
+    static void update(GoalTable& table, std::span<const Cost> costs);
+    static std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
+                                            std::span<const Cost> costs);
     std::optional<SkillPlan> search(const Situation& situation, std::span<const Cost> costs) const;
     std::vector<double> search_costs(std::span<const Situation> situations, std::span<const Cost> costs,
                                      std::span<const Improvement> improvements) const;
 
     const SkillTask* skills_;
     CostPlannerOptions options_;
-    StateGraph graph_;
-    std::vector<ShortestPaths> scratch_;  // by thread
+    std::vector<std::unique_ptr<Space>> spaces_;
     std::vector<std::unique_ptr<GoalTable>> tables_;
 };
 

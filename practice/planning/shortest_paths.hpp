@@ -1,8 +1,4 @@
-// Cheapest ways through a graph of states (Dijkstra 1959), and how they change when one skill becomes
-// cheaper.
-//
-// An object is scratch memory for one thread; it grows to the graph once and is used again without being
-// cleared.
+// Cheapest ways through a graph of states (Dijkstra 1959).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "practice/planning/state_graph.hpp"
-#include "practice/planning/success_cost.hpp"
+#include "practice/planning/node_costs.hpp"
 
 namespace praxis::practice {
 
+/// Scratch memory for one thread.
 class ShortestPaths {
   public:
     explicit ShortestPaths(const StateGraph& graph) : graph_(&graph) {}
@@ -24,38 +20,19 @@ class ShortestPaths {
     void to_goals(std::span<const NodeIndex> goals, std::span<const Cost> costs,
                   std::vector<Cost>& distances);
 
-    /// A cheapest way from one node to the nearest node where all facts hold. False: there is none.
+    /// A cheapest way from one node to one of `goals`. False: there is none.
     bool way(NodeIndex from, std::span<const NodeIndex> goals, std::span<const Cost> costs,
              std::vector<SkillIndex>& skills, Cost& cost);
 
-    /// What the distances of some nodes would be if `skill` cost `cost`, less than before; `distances` are
-    /// those that `to_goals` found. Only the nodes that come nearer are looked at, the nearest to the goal
-    /// first (after Ramalingam and Reps 1996), until no node asked for can change. `result`: by entry of
-    /// `nodes`.
-    void cheaper(std::span<const Cost> distances, std::span<const Cost> costs, SkillIndex skill, Cost cost,
-                 std::span<const NodeIndex> nodes, std::span<Cost> result);
+    /// Nodes that the last `way` has looked at.
+    std::size_t looked_at() const { return looked_at_; }
 
   private:
-    struct Entry {
-        Cost distance;
-        NodeIndex node;
-        friend bool operator>(const Entry& a, const Entry& b) {
-            return a.distance != b.distance ? a.distance > b.distance : a.node > b.node;
-        }
-    };
-    void push(Cost distance, NodeIndex node);
-    Entry pop();
-    /// Forgets the scratch distances.
-    void begin();
-    bool seen(NodeIndex node) const { return stamps_[node] == stamp_; }
-
+    std::size_t looked_at_ = 0;
     const StateGraph* graph_;
-    std::vector<Entry> heap_;
-    std::uint32_t stamp_ = 0;
-    std::vector<std::uint32_t> stamps_;  // by node: `scratch_` is of now
-    std::vector<Cost> scratch_;          // by node
-    std::vector<std::pair<NodeIndex, SkillIndex>> parents_;
-    std::vector<std::uint32_t> goal_stamps_;
+    NodeQueue queue_;
+    NodeCosts costs_, goals_;
+    std::vector<std::pair<NodeIndex, SkillIndex>> parents_;  // by node
 };
 
 }  // namespace praxis::practice

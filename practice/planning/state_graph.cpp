@@ -1,17 +1,33 @@
 #include "practice/planning/state_graph.hpp"
 
+#include <algorithm>
+
 namespace praxis::practice {
 
-StateGraph::StateGraph(const SkillTask& skills, std::size_t most_states)
+StateGraph::StateGraph(const SkillTask& skills, std::span<const unsigned char> relevant,
+                       std::size_t most_states)
     : skills_(&skills),
       parts_(&skills.prepared()->parts()),
       registry_(parts_->packer, 0),
       most_states_(most_states),
-      first_edge_{0} {}
+      first_edge_{0} {
+    const FiniteDomainTask& task = skills.task();
+    for (std::size_t variable = 0; variable < relevant.size(); ++variable) {
+        if (relevant[variable] == 0)
+            fixed_.push_back({static_cast<std::int32_t>(variable), task.initial_values[variable]});
+    }
+    for (std::size_t op = 0; op < task.operator_count(); ++op) {
+        const bool any = std::ranges::any_of(task.effects[op], [&](const GroundEffect& effect) {
+            return relevant[static_cast<std::size_t>(effect.fact.variable)] != 0;
+        });
+        matters_.push_back(any ? 1 : 0);
+    }
+}
 
 bool StateGraph::reach(const std::vector<std::int32_t>& values, NodeIndex& node) {
     if (overflowed_) return false;
     parts_->packer.pack(values.data(), registry_.candidate());
+    for (const Fact& fact : fixed_) parts_->packer.set(registry_.candidate(), fact);
     const auto [state, added] = registry_.intern();
     node = static_cast<NodeIndex>(state.index());
     if (added) expand_all();
@@ -30,7 +46,10 @@ void StateGraph::expand_all() {
         parts_->packer.unpack(registry_.words(state), values.data());
         parts_->axioms.complete(values.data(), scratch);
         parts_->generator.for_each(values.data(), [&](OperatorId id) {
-            parts_->transitions.apply(id, values.data(), registry_.candidate_from(state));
+            if (matters_[id.index()] == 0) return;
+            std::uint32_t* after = registry_.candidate_from(state);
+            parts_->transitions.apply(id, values.data(), after);
+            for (const Fact& fact : fixed_) parts_->packer.set(after, fact);
             const auto [child, added] = registry_.intern();
             if (child != state)
                 edges_.push_back(

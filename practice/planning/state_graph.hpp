@@ -26,7 +26,13 @@ class StateGraph {
         NodeIndex node;  ///< forward: where it leads to; backward: where it comes from
     };
 
-    StateGraph(const SkillTask& skills, std::size_t most_states);
+    /// `relevant`: by variable, whether it matters (see `relevant_variables`). States that agree in those are
+    /// one node, and skills that change none of them have no edges.
+    StateGraph(const SkillTask& skills, std::span<const unsigned char> relevant, std::size_t most_states);
+
+    /// All variables matter.
+    StateGraph(const SkillTask& skills, std::size_t most_states)
+        : StateGraph(skills, std::vector<unsigned char>(skills.task().variable_count(), 1), most_states) {}
 
     /// The node of a state, and all that is reachable from it. False: the limit was reached; the graph is of
     /// no use any more.
@@ -60,6 +66,8 @@ class StateGraph {
     StateRegistry registry_;
     std::size_t most_states_;
     bool overflowed_ = false;
+    std::vector<Fact> fixed_;             // variables that do not matter, at their initial values
+    std::vector<unsigned char> matters_;  // by skill
     std::vector<std::size_t> first_edge_;
     std::vector<Edge> edges_;
     std::vector<std::size_t> first_backward_;
