@@ -159,6 +159,8 @@ void add_learning_options(CLI::App& app, PracticeOptions& options) {
     add("--candidates", options.candidates, "KIND",
         "Skills to practise: those tried, or all (default: tried)",
         one_of("kind of candidates", {"tried", "all"}));
+    add("--score-every", options.score_every, "N",
+        "Attempts at a skill before scores are made anew (default: 5)", integer_between(1, 1'000'000));
     add("--bonus", options.bonus, "W", "Weight of the upper-confidence bonus (default: 0.1)",
         number_between(0, 1e6));
     add("--competence", options.competence.model, "NAME",

@@ -209,6 +209,7 @@ TEST_F(PracticeCommand, WrongOptionsSayWhatThereIs) {
     EXPECT_TRUE(contains(refusal({"kitchen", "--epsilon", "nan"}), "from 0 to 1"));
     EXPECT_TRUE(contains(refusal({"kitchen", "--threshold", "2"}), "from 0 to 1"));
     EXPECT_TRUE(contains(refusal({"kitchen", "--seeds", "0"}), "from 1 to"));
+    EXPECT_TRUE(contains(refusal({"kitchen", "--score-every", "0"}), "from 1 to"));
     EXPECT_TRUE(contains(refusal({"kitchen", "--cycles", "99999999999999"}), "from 0 to"));
     EXPECT_TRUE(contains(refusal({"kitchen", "playroom", "--svg", "-"}), "--svg needs a name"));
     EXPECT_TRUE(contains(refusal({"kitchen", "kitchen"}), "named twice"));

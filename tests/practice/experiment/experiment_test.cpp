@@ -233,6 +233,7 @@ TEST(Experiment, TheFingerprintTellsSettingsApart) {
         with([](auto& o) { o.reset = false; }),
         with([](auto& o) { o.candidates = "all"; }),
         with([](auto& o) { o.bonus = 0.3; }),
+        with([](auto& o) { o.score_every = 1; }),
         with([](auto& o) { o.sharing = true; }),
         with([](auto& o) { o.competence.model = "beta"; }),
         with([](auto& o) {
