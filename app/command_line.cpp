@@ -15,6 +15,7 @@ constexpr const char* kPlanUsage =
     "  plan validate DOMAIN PROBLEM PLAN          check a plan, say which action fails and why\n"
     "  plan ground DOMAIN PROBLEM [--sas FILE]    show what the grounder makes of a task\n"
     "  plan belief DOMAIN PROBLEM                 plan and act when not everything is known\n"
+    "  plan practice ENVIRONMENT...               practise skills, and compare ways to choose which\n"
     "  plan list [evaluators|engines|aliases]     every component with its options\n"
     "\n'-' reads a file from standard input. 'plan COMMAND --help' tells more about a command.";
 
@@ -139,14 +140,15 @@ Request parse_list_command(std::vector<std::string> arguments) {
 
 Request parse_command_line(int argc, const char* const* argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
-    const bool named =
-        command == "validate" || command == "ground" || command == "belief" || command == "list";
+    const bool named = command == "validate" || command == "ground" || command == "belief" ||
+                       command == "practice" || command == "list";
     // CLI11 wants the arguments in reverse.
     std::vector<std::string> arguments;
     for (int i = argc - 1; i >= (named ? 2 : 1); --i) arguments.emplace_back(argv[i]);
     if (command == "validate") return parse_validate_command(std::move(arguments));
     if (command == "ground") return parse_ground_command(std::move(arguments));
     if (command == "belief") return parse_belief_command(std::move(arguments));
+    if (command == "practice") return parse_practice_command(std::move(arguments));
     if (command == "list") return parse_list_command(std::move(arguments));
     return parse_plan_command(std::move(arguments));
 }

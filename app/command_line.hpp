@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "practice/experiment/experiment_options.hpp"
+
 namespace praxis::app {
 
 /// Options that every command has.
@@ -71,6 +73,16 @@ struct BeliefOptions : CommonOptions {
     std::string html;
 };
 
+struct PracticeCommandOptions : CommonOptions {
+    practice::ExperimentOptions experiment;
+    double threshold = 0.8;  ///< share of tasks solved to which practice is counted
+    bool list = false;       ///< say what there is to choose from, and do nothing else
+    std::string csv;         ///< files; "-": standard output; empty: none
+    std::string summary;
+    std::string svg;  ///< with several environments, each one's name is put before the ending
+    std::string report;
+};
+
 struct ListOptions {
     std::string kind;  ///< evaluators, engines or aliases; empty: all
 };
@@ -80,8 +92,8 @@ struct Done {
     int exit_code = 0;
 };
 
-using Request =
-    std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, BeliefOptions, ListOptions>;
+using Request = std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, BeliefOptions,
+                             PracticeCommandOptions, ListOptions>;
 
 /// Reads the command line; prints help and usage errors itself.
 Request parse_command_line(int argc, const char* const* argv);

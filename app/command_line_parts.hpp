@@ -26,7 +26,8 @@ Done usage_error(const std::string& message, const char* hint);
 /// Parses and answers for help, version and wrong usage; nothing if the options are ready to use.
 std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, const char* hint);
 
-/// `plan belief`, in a file of its own.
+/// `plan belief` and `plan practice`, in files of their own.
 Request parse_belief_command(std::vector<std::string> arguments);
+Request parse_practice_command(std::vector<std::string> arguments);
 
 }  // namespace praxis::app

@@ -21,6 +21,8 @@ int dispatch(const Request& request) {
             if constexpr (std::is_same_v<Options, ValidateOptions>) return run_validate(options);
             if constexpr (std::is_same_v<Options, GroundCommandOptions>) return run_ground(options);
             if constexpr (std::is_same_v<Options, BeliefOptions>) return run_belief(options);
+            if constexpr (std::is_same_v<Options, PracticeCommandOptions>)
+                return run_practice_command(options);
             if constexpr (std::is_same_v<Options, ListOptions>) return run_list(options);
         },
         request);

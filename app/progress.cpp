@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/report.hpp"
 
@@ -20,11 +21,28 @@ void Progress::set_statistics(const SearchStatistics& statistics) {
     searching_ = true;
 }
 
+void Progress::set_share(double done, std::string text) {
+    share_ = std::clamp(done, 0.0, 1.0);
+    share_text_ = std::move(text);
+}
+
+std::string Progress::share_line() const {
+    constexpr std::size_t kWidth = 24;
+    std::string text = phase_;
+    if (terminal_) {
+        std::string bar(static_cast<std::size_t>(*share_ * kWidth), '#');
+        bar.resize(kWidth, '.');
+        text += " [" + bar + "]";
+    }
+    return text + ": " + share_text_;
+}
+
 std::string Progress::line() const {
     char head[48];
     std::snprintf(head, sizeof head, "[%6.1f s, %s] ", elapsed_seconds(),
                   bytes_text(resident_memory()).c_str());
     std::string text = head;
+    if (share_) return text + share_line();
     if (!searching_) return text + phase_;
     text += phase_;
     text +=

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "search/engines/search.hpp"
@@ -15,6 +16,8 @@ class Progress {
 
     void set_phase(const char* phase) { phase_ = phase; }
     void set_statistics(const SearchStatistics& statistics);
+    /// Of the work that is known beforehand, this fraction is done; `text` says more.
+    void set_share(double done, std::string text);
     /// Shows how far things are, if enough time has passed since the last time.
     void show();
     /// Prints a line of its own.
@@ -26,6 +29,7 @@ class Progress {
 
   private:
     std::string line() const;
+    std::string share_line() const;
 
     bool shown_;
     bool terminal_;
@@ -33,6 +37,8 @@ class Progress {
     const char* phase_ = "starting";
     SearchStatistics statistics_;
     bool searching_ = false;
+    std::optional<double> share_;
+    std::string share_text_;
     double next_ = 1;
     double step_ = 1;
 };

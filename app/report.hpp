@@ -69,6 +69,7 @@ struct Report {
     std::optional<Verdict> verdict;
     std::vector<BeliefRun> runs;
     std::optional<OfflineReport> offline;
+    std::string practice;  ///< the figures of an experiment, as JSON; empty: there are none
 };
 
 /// The report as JSON, ending with a newline.

@@ -102,6 +102,16 @@ void Run::set_result(std::string text) {
     result_ = std::move(text);
 }
 
+void Run::at_end(std::function<std::string(Report&)> conclude) {
+    const std::scoped_lock lock(mutex_);
+    conclude_ = std::move(conclude);
+}
+
+void Run::set_share(double done, std::string text) {
+    const std::scoped_lock lock(mutex_);
+    progress_->set_share(done, std::move(text));
+}
+
 void Run::set_phase(const char* phase) {
     const std::scoped_lock lock(mutex_);
     progress_->set_phase(phase);
@@ -166,6 +176,11 @@ int Run::finish(const Ending& ending) {
         report_.command == "plan")
         last.exit_code = kSolved;
     try {
+        if (conclude_) result_ = std::exchange(conclude_, nullptr)(report_);
+    } catch (...) {
+        last = end_by_exception();
+    }
+    try {
         if (!result_.empty() && options_.json != "-") write_standard_output(result_);
     } catch (const OutputError& error) {
         last = {"output_error", kOutputError, std::string("plan: error: ") + error.what()};
@@ -195,8 +210,9 @@ void Run::on_terminate() {
     Ending ending{"internal_error", kInternalError,
                   "plan: internal error: a fault where none can be handled"};
     if (memory_failed()) ending = current->stopped(Stop::memory);
-    // The mutex may be this thread's own; nothing else matters any more.
+    // The mutex may be this thread's own, and so may those of the conclusion; nothing else matters any more.
     static_cast<void>(current->mutex_.try_lock());
+    current->conclude_ = nullptr;
     current->watcher_->finish();
     _exit(current->finish(ending));
 }

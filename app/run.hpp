@@ -47,8 +47,13 @@ class Run {
     }
     /// The text that goes to standard output at the end: the best plan so far.
     void set_result(std::string text);
+    /// Makes the text for standard output when the run ends, however it comes, and may write files and change
+    /// the report. May be called on another thread while the body is at work, and must not call this run.
+    void at_end(std::function<std::string(Report&)> conclude);
     /// What the run is busy with, for progress; a string literal.
     void set_phase(const char* phase);
+    /// How much of the work is done, in [0, 1], and in words.
+    void set_share(double done, std::string text);
     /// A line on standard error, unless quiet.
     void say(const std::string& line);
     bool verbose() const { return options_.verbose; }
@@ -69,6 +74,7 @@ class Run {
     std::mutex mutex_;
     Report report_;
     std::string result_;
+    std::function<std::string(Report&)> conclude_;
     std::unique_ptr<Progress> progress_;
     std::unique_ptr<Watcher> watcher_;
     Budget budget_;

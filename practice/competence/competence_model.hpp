@@ -18,8 +18,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "practice/competence/beta.hpp"
+#include "practice/component.hpp"
 
 namespace praxis::practice {
 
@@ -55,6 +57,8 @@ class CompetenceModel {
     static double clip(double probability);
 };
 
+/// All models.
+std::vector<Component> competence_models();
 /// Throws std::invalid_argument with the names there are, or for options out of range.
 std::unique_ptr<CompetenceModel> make_competence_model(const CompetenceOptions& options);
 

@@ -15,6 +15,7 @@ namespace {
 
 struct Entry {
     const char* name;
+    const char* description;
     const char* option;  ///< its only one; empty: none
     const char* values;  ///< of the option, in words
     const char* default_value;
@@ -42,11 +43,21 @@ std::unique_ptr<SimulatedEnvironment> make(const std::string&) {
 }
 
 constexpr Entry kEntries[] = {
-    {"light-switch", "cells", "a number from 3 to 10000", "100", make_light_switch},
-    {"ball-ring", "features", "'raw' or 'relative'", "raw", make_ball_ring},
-    {"kitchen", "", "", "", make<Kitchen>},
-    {"playroom", "", "", "", make<Playroom>},
+    {"light-switch", "a robot walks along a row of cells to a lamp and turns it to the level that is asked",
+     "cells", "a number from 3 to 10000", "100", make_light_switch},
+    {"ball-ring",
+     "a ball is to rest on a table from which it rolls unless a ring holds it, which must be placed well",
+     "features", "'raw' or 'relative'", "raw", make_ball_ring},
+    {"kitchen", "dishes are put away and crumbs are swept into a bin", "", "", "", make<Kitchen>},
+    {"playroom", "toys are cleared up, by plans in which most skills only prepare", "", "", "",
+     make<Playroom>},
 };
+
+const Entry* find(const std::string& name) {
+    for (const Entry& entry : kEntries)
+        if (name == entry.name) return &entry;
+    return nullptr;
+}
 
 [[noreturn]] void unknown_name(const std::string& name) {
     std::string message = "there is no environment '" + name + "'; there are";
@@ -69,6 +80,22 @@ std::string option_value(const SyntaxNode& node, const Entry& entry) {
     return argument.text;
 }
 
+struct Choice {
+    const Entry* entry;
+    std::string value;
+};
+
+Choice parse(std::string_view expression) {
+    const SyntaxNode node = parse_expression(expression);
+    const Entry* entry = find(node.text);
+    if (entry == nullptr) unknown_name(node.text);
+    return {entry, option_value(node, *entry)};
+}
+
+std::string call(const Entry& entry, const std::string& value) {
+    return std::string(entry.name) + '(' + entry.option + '=' + value + ')';
+}
+
 }  // namespace
 
 std::vector<std::string> environment_names() {
@@ -77,16 +104,25 @@ std::vector<std::string> environment_names() {
     return names;
 }
 
-std::unique_ptr<SimulatedEnvironment> make_environment(std::string_view expression) {
-    const SyntaxNode node = parse_expression(expression);
+std::vector<Component> environments() {
+    std::vector<Component> result;
     for (const Entry& entry : kEntries) {
-        if (node.text != entry.name) continue;
-        const std::string value = option_value(node, entry);
-        if (auto environment = entry.make(value)) return environment;
-        throw std::invalid_argument(std::string("environment '") + entry.name + "': option '" + entry.option +
-                                    "' takes " + entry.values + ", not '" + value + "'");
+        const std::string option = entry.option;
+        result.push_back({option.empty() ? entry.name : call(entry, entry.default_value), entry.description});
     }
-    unknown_name(node.text);
+    return result;
+}
+
+std::unique_ptr<SimulatedEnvironment> make_environment(std::string_view expression) {
+    const auto [entry, value] = parse(expression);
+    if (auto environment = entry->make(value)) return environment;
+    throw std::invalid_argument(std::string("environment '") + entry->name + "': option '" + entry->option +
+                                "' takes " + entry->values + ", not '" + value + "'");
+}
+
+std::string canonical_environment(std::string_view expression) {
+    const auto [entry, value] = parse(expression);
+    return value == entry->default_value ? entry->name : call(*entry, value);
 }
 
 }  // namespace praxis::practice

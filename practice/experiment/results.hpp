@@ -29,7 +29,7 @@ struct CandidateScore {
 
 /// A moment of choice.
 struct PracticeChoice {
-    int cycle = 0;
+    int cycle = 0;  ///< 1: the first
     std::int64_t transitions = 0;
     std::string chosen;  ///< empty: no candidate could be reached, a random skill was executed
     std::vector<CandidateScore> candidates;  ///< best first

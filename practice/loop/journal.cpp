@@ -1,12 +1,14 @@
 #include "practice/loop/journal.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 
 #include "parser/diagnostic.hpp"
@@ -18,6 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kFormat = 1;
+constexpr const char* kMagic = "praxis practice journal";
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
     throw std::system_error(errno, std::generic_category(), path + ": cannot " + what + " the journal");
@@ -29,7 +32,14 @@ json numbers(std::int32_t first, const std::vector<std::int32_t>& others) {
     return list;
 }
 
+void require_finite(const std::vector<double>& numbers, const char* what) {
+    if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
+        throw std::invalid_argument(std::string("a practice journal is given ") + what +
+                                    " that is not finite");
+}
+
 std::string line_of(const JournalRecord& record) {
+    std::visit([](const auto& any) { require_finite(any.state, "a number of a state"); }, record);
     json line;
     if (const auto* task = std::get_if<JournalTask>(&record)) {
         line["task"] = json::array();
@@ -38,6 +48,7 @@ std::string line_of(const JournalRecord& record) {
         line["state"] = task->state;
     } else {
         const auto& step = std::get<JournalStep>(record);
+        require_finite(step.parameters, "a parameter");
         line["skill"] = numbers(step.skill.schema, step.skill.objects);
         line["parameters"] = step.parameters;
         line["state"] = step.state;
@@ -70,6 +81,12 @@ JournalRecord record_of(const json& line) {
                        finite_numbers(line.at("state"))};
 }
 
+/// What a crash may have left of a first line.
+bool is_torn_header(const std::string& text) {
+    const std::string start = "{\"" + std::string(kMagic) + "\":";
+    return text.starts_with(start) || start.starts_with(text);
+}
+
 std::string read_all(int file, const std::string& path) {
     std::string text;
     char buffer[1 << 16];
@@ -100,6 +117,9 @@ Journal::~Journal() {
 }
 
 void Journal::read(const std::string& settings) {
+    struct stat status {};
+    if (::fstat(file_, &status) != 0) fail(path_, "read");
+    if (!S_ISREG(status.st_mode)) throw InputError(path_ + ": error: a practice journal must be a file\n");
     const std::string text = read_all(file_, path_);
     std::size_t begin = 0;
     int number = 0;
@@ -116,7 +136,7 @@ void Journal::read(const std::string& settings) {
                 records_.push_back(record_of(line));
                 continue;
             }
-            if (line.at("praxis practice journal").get<int>() != kFormat)
+            if (line.at(kMagic).get<int>() != kFormat)
                 refuse("the journal is of another version of the format");
             if (const auto other = line.at("settings").get<std::string>(); other != settings)
                 refuse("the journal was made with other settings (" + other +
@@ -127,9 +147,11 @@ void Journal::read(const std::string& settings) {
             refuse(std::string("the journal is damaged: ") + error.what());
         }
     }
+    if (number == 0 && !is_torn_header(text))
+        throw InputError(path_ + ":1: error: this is no practice journal; give another name\n");
     if (::ftruncate(file_, static_cast<off_t>(begin)) != 0) fail(path_, "mend");
     if (::lseek(file_, 0, SEEK_END) < 0) fail(path_, "read");
-    if (number == 0) write(json{{"praxis practice journal", kFormat}, {"settings", settings}}.dump());
+    if (number == 0) header_ = json{{kMagic, kFormat}, {"settings", settings}}.dump();
 }
 
 void Journal::write(const std::string& line) {
@@ -142,7 +164,10 @@ void Journal::write(const std::string& line) {
 }
 
 void Journal::append(const JournalRecord& record) {
-    write(line_of(record));
+    const std::string line = line_of(record);
+    if (!header_.empty()) write(header_);
+    header_.clear();
+    write(line);
 }
 
 void Journal::sync() {
@@ -195,7 +220,7 @@ void JournaledWorld::execute(const GroundSkill& skill, std::span<const double> p
 }
 
 const State& JournaledWorld::observe() {
-    return past_ != nullptr && replaying() ? *past_ : world_->observe();
+    return past_ != nullptr ? *past_ : world_->observe();
 }
 
 }  // namespace praxis::practice

@@ -32,9 +32,10 @@ using JournalRecord = std::variant<JournalTask, JournalStep>;
 
 class Journal {
   public:
-    /// Opens a journal, or begins one where there is no file. `settings` is a text of all that the run's
-    /// course depends on. Throws InputError for a file that is no journal, is damaged before its last line,
-    /// or was made with other settings; std::system_error if it cannot be read or written.
+    /// Opens a journal, or begins one where there is no file (it stays empty until the first record).
+    /// `settings` is a text of all that the run's course depends on. Throws InputError for a file that is no
+    /// journal, has a damaged line, or was made with other settings; std::system_error if it cannot be read
+    /// or written.
     Journal(const std::string& path, const std::string& settings);
     ~Journal();
     Journal(const Journal&) = delete;
@@ -44,7 +45,7 @@ class Journal {
     const std::vector<JournalRecord>& records() const { return records_; }
     const std::string& path() const { return path_; }
 
-    /// Throws std::system_error.
+    /// Throws std::system_error, and std::invalid_argument for numbers that are not finite.
     void append(const JournalRecord& record);
     /// To the disk. Throws std::system_error.
     void sync();
@@ -55,11 +56,13 @@ class Journal {
 
     std::string path_;
     int file_ = -1;
+    std::string header_;  // yet to be written
     std::vector<JournalRecord> records_;
 };
 
 /// A world whose past is in a journal: first it answers from there, then the world itself acts, and what it
-/// does is written.
+/// does is written. Where the journal ends, the last state it tells of is answered until the next task or
+/// skill, even if a real world has changed meanwhile: a skill is judged by what was seen after it.
 class JournaledWorld : public World {
   public:
     /// Both must outlive this.
@@ -84,7 +87,7 @@ class JournaledWorld : public World {
     Journal* journal_;
     std::size_t place_ = 0;
     std::uint64_t skills_ = 0, tasks_ = 0;
-    const State* past_ = nullptr;  // as the journal tells it, while replaying
+    const State* past_ = nullptr;  // as the journal tells it; null since the world acts
 };
 
 }  // namespace praxis::practice

@@ -1,5 +1,9 @@
 #include "practice/loop/learner.hpp"
 
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
 #include "practice/loop/simulated_world.hpp"
 
 namespace praxis::practice {
@@ -9,6 +13,14 @@ namespace {
 constexpr std::uint64_t kLearning = 3;
 constexpr int kLookahead = 1;  // cycles
 constexpr int kOutcomes = 10;  // that a cycle of practice is taken to bring
+
+void require_finite(std::span<const double> numbers, const std::string& of) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!std::isfinite(numbers[i]))
+            throw std::invalid_argument("the environment gives a number that is not finite: number " +
+                                        std::to_string(i) + " of " + of);
+    }
+}
 
 std::vector<std::int32_t> schemas_of(const SkillTask& skills) {
     std::vector<std::int32_t> schemas;
@@ -46,6 +58,7 @@ double Learner::predicted(SkillIndex skill) const {
 std::vector<double> Learner::features(SkillIndex skill, const State& state) const {
     std::vector<double> result(skills_.schema(skill).features.size());
     skills_.environment().features(state, skills_.skill(skill), result);
+    require_finite(result, "the features of " + skills_.name(skill));
     return result;
 }
 
@@ -72,10 +85,12 @@ Decision Learner::decide(SkillIndex skill, const State& state, Mode mode, Random
     }
     const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(chosen * dimension);
     decision.parameters.assign(first, first + static_cast<std::ptrdiff_t>(dimension));
+    require_finite(decision.parameters, "the parameters proposed for " + skills_.name(skill));
     return decision;
 }
 
 Moment Learner::moment(const State& state) const {
+    require_finite(state, "a state");
     Moment result{state, {}};
     skills_.read(state, result.values);
     return result;

@@ -49,6 +49,7 @@ class Learner {
     double predicted(SkillIndex skill) const;
 
     enum class Mode { greedy, explore, base };  ///< base: just what the base sampler proposes
+    /// These throw std::invalid_argument where the environment gives numbers that are not finite.
     Decision decide(SkillIndex skill, const State& state, Mode mode, Random& random) const;
     Moment moment(const State& state) const;
 

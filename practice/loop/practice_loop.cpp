@@ -1,5 +1,6 @@
 #include "practice/loop/practice_loop.hpp"
 
+#include <cmath>
 #include <ctime>
 #include <optional>
 #include <sstream>
@@ -18,18 +19,60 @@ constexpr std::uint64_t kTestTasks = 4, kTests = 5;
 void check(const PracticeOptions& options) {
     if (options.cycles < 0 || options.cycle_steps < 0 || options.learn_every < 0 || options.score_every < 1 ||
         options.test_tasks < 0 || options.test_every < 0 || options.situations < 1 || options.replans < 0 ||
-        !(options.bonus >= 0))
+        !(options.bonus >= 0) || std::isinf(options.bonus))
         throw std::invalid_argument(
-            "cycles, steps, tasks and the bonus must not be negative, and there must be one situation at "
-            "least");
+            "cycles, steps, tasks and the bonus must be finite and not negative, and there must be one "
+            "situation at least");
     if (options.candidates != "tried" && options.candidates != "all")
         throw std::invalid_argument("candidates are 'tried' or 'all', not '" + options.candidates + "'");
+}
+
+/// Of all that a description says (64-bit FNV-1a).
+class Digest {
+  public:
+    Digest& operator<<(const std::string& text) {
+        for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        value_ = (value_ ^ 0xff) * 0x100000001b3u;
+        return *this;
+    }
+    Digest& operator<<(const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) *this << text;
+        return *this << std::to_string(texts.size());
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+std::uint64_t digest(const Description& description) {
+    Digest digest;
+    digest << description.domain << description.problem << description.predicates << description.objects
+           << std::to_string(description.horizon) << std::to_string(description.cycle_steps);
+    for (const SkillSchema& schema : description.schemas) {
+        digest << schema.name << schema.parameters << schema.features;
+        for (const std::size_t feature : schema.relevant_features) digest << std::to_string(feature);
+    }
+    return digest.value();
+}
+
+std::string classifier_text(const ClassifierOptions& o) {
+    std::ostringstream text;
+    text.precision(17);
+    text << o.kind << ":" << o.differences << ":";
+    for (const std::size_t units : o.hidden) text << units << ";";
+    text << ":" << o.steps << ":" << o.learning_rate << ":" << o.weight_decay << ":" << o.neighbours << ":"
+         << o.members;
+    return text.str();
 }
 
 }  // namespace
 
 PracticeLoop::PracticeLoop(const Environment& environment, World& world, const PracticeOptions& options)
     : world_(&world), learner_((check(options), environment), options) {
+    if (cycle_steps() < 1)
+        throw std::invalid_argument(
+            "the environment does not say how many skills a cycle takes; give cycle_steps");
     method_ = make_method(options.method, learner_);
 }
 
@@ -60,7 +103,8 @@ bool PracticeLoop::run_cycle(std::stop_token stop, const std::function<void()>& 
     const std::vector<Fact> goal = skills.goal(world_->next_task());
     now_ = learner_.moment(world_->observe());
     method_->begin_task({now_.values, goal}, false);
-    const std::int64_t end = learner_.transitions() + cycle_steps();
+    const std::int64_t begin = learner_.transitions();
+    const std::int64_t end = begin + cycle_steps();
     const auto more = [&] { return learner_.transitions() < end && !stop.stop_requested(); };
     for (int i = 0; i < skills.environment().description().horizon && more(); ++i) {
         if (all_hold(goal, now_.values.data())) break;
@@ -71,10 +115,10 @@ bool PracticeLoop::run_cycle(std::stop_token stop, const std::function<void()>& 
     method_->begin_practice();
     while (more()) {
         const std::optional<Decision> decision = method_->practise(now_);
-        if (!decision) return false;
+        if (!decision) break;
         step(*decision, on_learned);
     }
-    if (stop.stop_requested()) return false;
+    if (stop.stop_requested() || learner_.transitions() == begin) return false;
     if (learned_ < learner_.transitions()) learn(on_learned);
     method_->end_cycle();
     return true;
@@ -158,16 +202,18 @@ RunResult run_practice(const SimulatedEnvironment& environment, const PracticeOp
 std::string settings_text(const Environment& environment, const PracticeOptions& o) {
     std::ostringstream text;
     text.precision(17);
-    text << environment.description().name << " method=" << o.method << " seed=" << o.seed
-         << " cycle_steps=" << o.cycle_steps << " learn_every=" << o.learn_every
-         << " test_tasks=" << o.test_tasks << " test_every=" << o.test_every << " reset=" << o.reset
-         << " candidates=" << o.candidates << " score_every=" << o.score_every << " bonus=" << o.bonus
-         << " situations=" << o.situations << " replans=" << o.replans << " sharing=" << o.sharing
-         << " competence=" << o.competence.model << "(" << o.competence.prior.successes << ","
-         << o.competence.prior.failures << "," << o.competence.window << "," << o.competence.recency << ","
-         << o.competence.bonus << ") policy=" << o.policy.classifier.kind << "(" << o.policy.candidates << ","
+    text << environment.description().name << "(" << std::hex << digest(environment.description()) << std::dec
+         << ") method=" << o.method << " seed=" << o.seed << " cycle_steps=" << o.cycle_steps
+         << " learn_every=" << o.learn_every << " test_tasks=" << o.test_tasks
+         << " test_every=" << o.test_every << " reset=" << o.reset << " candidates=" << o.candidates
+         << " score_every=" << o.score_every << " bonus=" << o.bonus << " situations=" << o.situations
+         << " replans=" << o.replans << " sharing=" << o.sharing << " competence=" << o.competence.model
+         << "(" << o.competence.prior.successes << "," << o.competence.prior.failures << ","
+         << o.competence.window << "," << o.competence.recency << "," << o.competence.bonus
+         << ") policy=" << classifier_text(o.policy.classifier) << "(" << o.policy.candidates << ","
          << o.policy.exploration << "," << o.policy.epsilon << "," << o.policy.features
-         << ") planner=" << o.planner.most_states << "," << o.planner.search;
+         << ") planner=" << o.planner.most_states << "," << o.planner.search << ","
+         << o.planner.search_seconds;
     return text.str();
 }
 

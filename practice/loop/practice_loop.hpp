@@ -24,8 +24,8 @@ class PracticeLoop {
     /// `environment` and `world` must outlive this. Throws std::invalid_argument for wrong options.
     PracticeLoop(const Environment& environment, World& world, const PracticeOptions& options);
 
-    /// One cycle. False: it was stopped, or nothing can be executed any more. `on_learned` is called each
-    /// time the policies have been learned.
+    /// One cycle; it ends early where nothing can be executed any more. False: it was stopped, or nothing
+    /// could be executed at all. `on_learned` is called each time the policies have been learned.
     bool run_cycle(std::stop_token stop = {}, const std::function<void()>& on_learned = {});
 
     const Learner& learner() const { return learner_; }

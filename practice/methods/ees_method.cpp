@@ -15,6 +15,7 @@ constexpr double kBonusShare = 0.3;
 }  // namespace
 
 double PublishedEesMethod::situate(std::span<Candidate> candidates) {
+    if (candidates.empty()) return 0;
     std::vector<Improvement> improvements;
     for (const Candidate& candidate : candidates)
         improvements.push_back({candidate.skill, success_cost(candidate.predicted)});

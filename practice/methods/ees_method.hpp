@@ -17,7 +17,7 @@ class PublishedEesMethod : public ScoredMethod {
     using ScoredMethod::ScoredMethod;
 
   protected:
-    /// Fills `cost` of each candidate; the mean cost if none improves.
+    /// Fills `cost` of each candidate; the mean cost if none improves (0 without candidates).
     double situate(std::span<Candidate> candidates);
 
   private:

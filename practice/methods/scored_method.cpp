@@ -84,8 +84,6 @@ void ScoredMethod::record() {
     PracticeChoice choice{cycle_, learner_->transitions(), {}, {}};
     if (target_ < ranking_.size() && ranking_[target_].score > kNever)
         choice.chosen = learner_->skills().name(ranking_[target_].skill);
-    if (!choices_.empty() && choices_.back().cycle == cycle_ && choices_.back().chosen == choice.chosen)
-        return;
     for (const Candidate& candidate : ranking_)
         choice.candidates.push_back({learner_->skills().name(candidate.skill), candidate.score,
                                      candidate.competence, candidate.predicted, candidate.cost,

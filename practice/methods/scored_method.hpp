@@ -52,7 +52,7 @@ class ScoredMethod : public PlannedMethod {
     bool chosen_ = false;
     int attempts_ = 0;         // since then
     bool attempting_ = false;  // the last decision was the practice itself, not the way there
-    int cycle_ = 0;
+    int cycle_ = 1;
     bool recorded_ = false;  // of this cycle
     std::vector<PracticeChoice> choices_;
 };

@@ -12,6 +12,25 @@ namespace praxis::practice {
 
 namespace {
 
+using ClassifierPointer = std::unique_ptr<Classifier>;
+
+struct Entry {
+    const char* name;
+    const char* description;
+    ClassifierPointer (*make)(std::size_t width, const ClassifierOptions& options);
+};
+
+template <class Made>
+ClassifierPointer make(std::size_t width, const ClassifierOptions& options) {
+    return std::make_unique<Made>(width, options);
+}
+
+constexpr Entry kEntries[] = {
+    {"mlp", "a small neural network", make<MlpClassifier>},
+    {"knn", "the outcomes of the nearest examples", make<KnnClassifier>},
+    {"ensemble", "several small neural networks that differ in where their training starts", make<EnsembleClassifier>},
+};
+
 void check(const ClassifierOptions& options) {
     const auto require = [](bool condition, const char* message) {
         if (!condition) throw std::invalid_argument(message);
@@ -43,13 +62,21 @@ double entropy(double probability) {
     return term(probability) + term(1 - probability);
 }
 
+std::vector<Component> classifiers() {
+    std::vector<Component> result;
+    for (const Entry& entry : kEntries) result.push_back({entry.name, entry.description});
+    return result;
+}
+
 std::unique_ptr<Classifier> make_classifier(std::size_t width, const ClassifierOptions& options) {
     if (width == 0) throw std::invalid_argument("a classifier needs at least one number a row");
     check(options);
-    if (options.kind == "mlp") return std::make_unique<MlpClassifier>(width, options);
-    if (options.kind == "knn") return std::make_unique<KnnClassifier>(width, options);
-    if (options.kind == "ensemble") return std::make_unique<EnsembleClassifier>(width, options);
-    throw std::invalid_argument("no classifier '" + options.kind + "'; there are mlp, knn, ensemble");
+    std::string names;
+    for (const Entry& entry : kEntries) {
+        if (options.kind == entry.name) return entry.make(width, options);
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    throw std::invalid_argument("no classifier '" + options.kind + "'; there are " + names);
 }
 
 }  // namespace praxis::practice

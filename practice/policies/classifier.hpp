@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "practice/component.hpp"
 #include "search/engines/random.hpp"
 
 namespace praxis::practice {
@@ -53,6 +54,8 @@ void check_examples(const Examples& examples, std::size_t width);
 /// Of an event, in nats.
 double entropy(double probability);
 
+/// All kinds.
+std::vector<Component> classifiers();
 /// Throws std::invalid_argument with the kinds there are, or for options out of range.
 std::unique_ptr<Classifier> make_classifier(std::size_t width, const ClassifierOptions& options);
 

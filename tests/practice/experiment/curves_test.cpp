@@ -106,7 +106,8 @@ TEST(Curves, RefusesWhatIsNoCurve) {
         return false;
     };
     EXPECT_TRUE(refused({}));
-    EXPECT_TRUE(refused({{0, 0, 0.5}, {0, 1, 0.5}}));
+    EXPECT_TRUE(refused({{1, 0, 0.5}, {0, 1, 0.5}}));
+    EXPECT_FALSE(refused({{0, 0, 0.5}, {0, 1, 0.5}})) << "a cycle may have several tests";
     EXPECT_TRUE(refused({{0, 2, 0.5}, {1, 1, 0.5}}));
     EXPECT_TRUE(refused({{0, 0, 1.5}}));
     EXPECT_TRUE(refused({{0, 0, std::numeric_limits<double>::quiet_NaN()}}));

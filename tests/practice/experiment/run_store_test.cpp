@@ -99,7 +99,7 @@ TEST(RunJson, RefusalsNameThePlace) {
     expect("/curve/2", 7, "curve[2] must be a list");
     expect("/curve/2/2", 1.5, "fractions outside of 0 to 1");
     expect("/curve/2/0", 99999999999, "curve[2][0] must be a whole number from 0 to 2147483647");
-    expect("/curve/1/0", 0, "has cycles that fall");
+    expect("/curve/2/0", 0, "has cycles that fall");
     expect("/skills/0", 1, "skills[0] must be a text");
     expect("/skills", nlohmann::json::array(), "which is empty");
     expect("/choices/0", 1, "choices[0] must be an object");

@@ -14,8 +14,8 @@ namespace {
 using test::Tokens;
 
 Tokens random_tokens() {
-    const int tokens = *rc::gen::inRange(1, 3);
-    const int places = *rc::gen::inRange(2, 5);
+    const int tokens = *rc::gen::inRange(1, 4);
+    const int places = *rc::gen::inRange(2, tokens == 3 ? 4 : 6);
     Tokens::Edges edges;
     for (int a = 0; a < places; ++a) {
         for (int b = 0; b < places; ++b) {
