@@ -5,6 +5,7 @@
 // tells which of them is the bottleneck; the robot practises that one, with boxes of known weight. How often
 // it then reads right is what its readings are worth when it sorts boxes that it does not know.
 #include <belief/agent.hpp>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -28,6 +29,14 @@ std::string text_of(const std::string& path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::uint64_t number_of(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    if (std::from_chars(text.data(), end, number).ptr != end || text.empty())
+        throw std::runtime_error("the seed must be a whole number, not '" + text + "'");
+    return number;
 }
 
 practice::SkillIndex reading_of(const practice::SkillTask& skills, std::size_t box) {
@@ -191,7 +200,7 @@ Practised practise(const Rehearsal& rehearsal, const Errand& errand, const std::
 
 int main(int argc, char** argv) try {
     const std::string folder = argc > 1 ? argv[1] : ".";
-    const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
+    const std::uint64_t seed = argc > 2 ? number_of(argv[2]) : 1;
     const Rehearsal rehearsal(text_of(folder + "/domains/practice/weighing/domain.pddl"),
                               text_of(folder + "/problems/practice/weighing/two-boxes.pddl"));
     const Errand errand(folder, seed);
