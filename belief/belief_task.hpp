@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "belief/ground/dnf.hpp"
 #include "parser/contingent.hpp"
 #include "search/atom_index.hpp"
 #include "search/budget.hpp"
@@ -32,6 +33,12 @@ struct GroundReading {
 struct GroundSensor {
     std::string name;  ///< "(smell p1-1)"
     GroundReading reading;
+};
+
+/// `fact` holds where the condition does, in every state: a variable that sensing models need.
+struct GroundDefinition {
+    Fact fact;
+    Dnf condition;
 };
 
 struct BeliefTask {
@@ -56,7 +63,10 @@ struct BeliefTask {
 
     PackedLists<Fact> clauses;  ///< of each, one fact or more holds at first
     PackedLists<Fact> groups;   ///< of each, one fact at most holds at first
-    PackedLists<Fact> worlds;   ///< hidden worlds of the source: the uncertain atoms that hold
+    /// Clauses say the same of the first state, effects keep it so; those of helper variables, which no
+    /// effect is about, hold in the first state only.
+    std::vector<GroundDefinition> definitions;
+    PackedLists<Fact> worlds;  ///< hidden worlds of the source: the uncertain atoms that hold
 
     std::size_t operator_count() const { return physical->operator_count(); }
 };
