@@ -68,11 +68,14 @@ class Belief {
     }
     void complete();
     void decay();
+    /// A reading of a variable that an action may have changed.
+    bool learn_now(Fact fact);
 
     std::shared_ptr<const Compilation> compilation_;
     std::shared_ptr<const AxiomEvaluator> axioms_;
     AxiomEvaluator::Scratch scratch_;
     InitialKnowledge initial_;
+    InitialKnowledge invariants_;  ///< what holds in all states
     DerivedKnowledge derived_;
     bool consistent_ = true;
     std::vector<bool> touched_;  ///< by physical variable: an action may have changed it

@@ -6,6 +6,7 @@
 
 #include "belief/augment.hpp"
 #include "belief/belief_task.hpp"
+#include "belief/ground/choices.hpp"
 #include "belief/ground/conditions.hpp"
 #include "belief/ground/sensing_models.hpp"
 #include "search/ground/ground.hpp"
@@ -23,14 +24,17 @@ class Grounder {
           conditions_(source_, ground_, std::make_shared<AtomIndex>(*augmented_.task, *ground_)),
           models_(source_, ground_, conditions_),
           names_(*augmented_.task, *ground_),
-          task_(std::make_shared<BeliefTask>()) {}
+          task_(std::make_shared<BeliefTask>()) {
+        find_choices();
+    }
 
     std::shared_ptr<const BeliefTask> operator()() {
         task_->source = source_;
         task_->lifted = augmented_.task;
         add_initial_values();
         split_operators();
-        models_.begin(*task_, *physical_);
+        complete_forgotten();
+        models_.begin(*task_, *physical_, !task_->forgotten.items().empty());
         task_->physical = physical_;
         task_->atoms = std::make_shared<AtomIndex>(*augmented_.task, *physical_);
         mark_uncertain();
@@ -92,6 +96,33 @@ class Grounder {
         }
         models_.extend(*physical);
         physical_ = std::move(physical);
+        add_open_eyes();
+    }
+
+    /// `:observable`: atoms that can be read at any time, by sensors without a condition.
+    void add_open_eyes() {
+        for (std::size_t p = 0; p < source_->declared_observable.size(); ++p) {
+            if (!source_->declared_observable[p]) continue;
+            const Predicate& predicate = source_->task->predicates[p];
+            for (std::size_t v : variables_of(predicate.name)) {
+                const Fact fact{static_cast<std::int32_t>(v), 0};
+                check_readable(fact, predicate.where);
+                if (physical_->domain_sizes[v] != 2) continue;  // never uncertain
+                std::string name = physical_->fact_names.words(physical_->fact_number(fact));
+                task_->sensors.push_back({"(" + std::move(name) + ")", {fact, 1}});
+                task_->sensor_conditions.close();
+            }
+        }
+    }
+
+    /// Those whose first value is about the predicate.
+    std::vector<std::size_t> variables_of(const std::string& predicate) const {
+        std::vector<std::size_t> result;
+        for (std::size_t v = 0; v < physical_->variable_count(); ++v) {
+            const auto words = physical_->fact_names.names[physical_->first_fact[v]];
+            if (!words.empty() && physical_->fact_names.symbols[words[0]] == predicate) result.push_back(v);
+        }
+        return result;
     }
 
     /// Of the atom that only keeps sensing schemas alive.
@@ -104,8 +135,66 @@ class Grounder {
         return result;
     }
 
-    /// What is known of the state after an operator whose precondition held.
-    Context after(std::size_t o) const {
+    /// The multi-valued variables all of whose values may be uncertain.
+    void find_choices() {
+        choices_of_.resize(ground_->variable_count());
+        for (const MultiValuedVariable& variable : source_->variables) {
+            if (variable.observable || variable.values.size() < 2) continue;
+            Choice choice{&variable, {}, false};
+            bool complete = true;
+            for (const GroundLiteral& value : variable.values) {
+                const Place where = conditions_.place(value.predicate, value.arguments);
+                if (where.kind == Place::Kind::fact) choice.facts.push_back(where.fact);
+                complete = complete && where.kind != Place::Kind::always &&
+                           (where.kind == Place::Kind::never ||
+                            ground_->domain_sizes[static_cast<std::size_t>(where.fact.variable)] == 2);
+            }
+            if (!complete || choice.facts.size() < 2) continue;
+            for (const Fact& fact : choice.facts)
+                choices_of_[static_cast<std::size_t>(fact.variable)].push_back(choices_.size());
+            choices_.push_back(std::move(choice));
+        }
+    }
+
+    /// Leaving one value open leaves the whole multi-valued variable open.
+    std::set<std::int32_t> forgotten_by(const PlanStep& step) {
+        std::set<std::int32_t> result;
+        const std::size_t s = step.schema.index();
+        for (const Effect& effect : source_->sensing[s].forgotten)
+            for_each_fact(effect, source_->task->schemas[s].scope, step.arguments, conditions_.open(),
+                          [&](Fact fact) {
+                              result.insert(fact.variable);
+                              for (std::size_t c : choices_of_[static_cast<std::size_t>(fact.variable)]) {
+                                  choices_[c].forgotten = true;
+                                  for (const Fact& other : choices_[c].facts) result.insert(other.variable);
+                              }
+                          });
+        return result;
+    }
+
+    /// What observables show of what is left open is left open, too.
+    void complete_forgotten() {
+        if (task_->forgotten.items().empty()) return;
+        PackedLists<std::int32_t> all;
+        for (std::size_t o = 0; o < task_->forgotten.size(); ++o) {
+            const auto own = task_->forgotten[o];
+            std::set<std::int32_t> variables(own.begin(), own.end());
+            variables.merge(models_.depending(variables));
+            all.append(variables);
+        }
+        task_->forgotten = std::move(all);
+        for (const Choice& choice : choices_) {
+            if (!choice.forgotten) continue;
+            if (const auto o = breaks_choice(*physical_, choice.facts))
+                conditions_.refuse(choice.variable->where, "an action leaves the variable open, but " +
+                                                               physical_->operator_name(*o) +
+                                                               " may leave it with no value, or several");
+            task_->choices.append(choice.facts);
+        }
+    }
+
+    /// What is known of the state after an operator whose precondition held and that leaves variables open.
+    Context after(std::size_t o, const std::set<std::int32_t>& forgotten) const {
         Context values = conditions_.open();
         for (const Fact& fact : ground_->preconditions[o])
             values[static_cast<std::size_t>(fact.variable)] = fact.value;
@@ -116,6 +205,7 @@ class Grounder {
             else if (value != effect.fact.value)
                 value = kOpen;
         }
+        for (std::int32_t variable : forgotten) values[static_cast<std::size_t>(variable)] = kOpen;
         return values;
     }
 
@@ -141,7 +231,8 @@ class Grounder {
         const std::size_t s = step.schema.index();
         const Scope& scope = source_->task->schemas[s].scope;
         const SchemaSensing& sensing = source_->sensing[s];
-        const Context known = after(o);
+        const std::set<std::int32_t> forgotten = forgotten_by(step);
+        const Context known = after(o, forgotten);
         const auto read = [&](const std::vector<Observation>& observations, const Scope& variables,
                               const std::vector<ObjectId>& arguments) {
             for (const Observation& observation : observations)
@@ -154,10 +245,7 @@ class Grounder {
         if (!sensing.own_model) read(source_->default_observations, source_->default_scope, {});
         models_.read(s, step.arguments, known, task_->readings);
         task_->readings.close();
-        for (const Effect& effect : sensing.forgotten)
-            for_each_fact(effect, scope, step.arguments, conditions_.open(),
-                          [&](Fact fact) { task_->forgotten.add(fact.variable); });
-        task_->forgotten.close();
+        task_->forgotten.append(forgotten);
     }
 
     void add_sensor(std::size_t o, const PlanStep& step) {
@@ -166,7 +254,7 @@ class Grounder {
         for (ObjectId object : step.arguments) name += " " + source_->task->objects[object.index()].name;
         name += ")";
         for (const Observation& observation : sensor.observations)
-            for_each_fact(observation, sensor.scope, step.arguments, after(o), [&](Fact fact) {
+            for_each_fact(observation, sensor.scope, step.arguments, after(o, {}), [&](Fact fact) {
                 check_readable(fact, observation.where);
                 task_->sensors.push_back({name, {fact, observation.accuracy}});
                 task_->sensor_conditions.append(ground_->preconditions[o]);
@@ -220,13 +308,10 @@ class Grounder {
         const FiniteDomainTask& task = *physical_;
         task_->lasting.assign(task.variable_count(), BeliefTask::kForever);
         for (const Decay& decay : source_->decays) {
-            const std::string& predicate = source_->task->predicates[decay.predicate.index()].name;
-            for (std::size_t v = 0; v < task.variable_count(); ++v) {
-                if (task.derived(static_cast<std::int32_t>(v))) continue;
-                const auto words = task.fact_names.names[task.first_fact[v]];
-                if (!words.empty() && task.fact_names.symbols[words[0]] == predicate)
-                    task_->lasting[v] = decay.steps;
-            }
+            if (source_->sticky[decay.predicate.index()])
+                conditions_.refuse(decay.where, "':decay' of a predicate that is ':sticky'");
+            for (std::size_t v : variables_of(source_->task->predicates[decay.predicate.index()].name))
+                if (!task.derived(static_cast<std::int32_t>(v))) task_->lasting[v] = decay.steps;
         }
     }
 
@@ -241,6 +326,14 @@ class Grounder {
         for (const MultiValuedVariable& variable : source_->variables)
             if (!variable.observable && variable.values.size() > 1)
                 add_clause(ClauseKind::exactly_one, variable.values, variable.where);
+        add_choices();
+    }
+
+    void add_choices() {
+        for (std::size_t c = 0; c < task_->choices.size(); ++c) {
+            task_->add_clause(task_->choices[c], true);
+            task_->add_group(task_->choices[c], true);
+        }
     }
 
     void add_clause(ClauseKind kind, const std::vector<GroundLiteral>& literals, Location where) {
@@ -263,17 +356,16 @@ class Grounder {
                 return facts.contains({fact.variable, 1 - fact.value});
             });
             if (facts.empty() && holding == 0) contradiction(where);
-            if (holding == 0 && !tautology) task_->clauses.append(facts);
+            if (holding == 0 && !tautology)
+                task_->add_clause(std::vector<Fact>(facts.begin(), facts.end()), false);
         }
         if (kind != ClauseKind::at_least_one) {
             if (holding > 1) contradiction(where);
             if (holding == 1) {
-                for (const Fact& fact : facts) {
-                    task_->clauses.add({fact.variable, 1 - fact.value});
-                    task_->clauses.close();
-                }
+                for (const Fact& fact : facts)
+                    task_->add_clause(std::vector<Fact>{{fact.variable, 1 - fact.value}}, false);
             } else if (facts.size() > 1) {
-                task_->groups.append(facts);
+                task_->add_group(std::vector<Fact>(facts.begin(), facts.end()), false);
             }
         }
     }
@@ -288,12 +380,21 @@ class Grounder {
         }
     }
 
+    /// A multi-valued variable by its ground facts.
+    struct Choice {
+        const MultiValuedVariable* variable;
+        std::vector<Fact> facts;
+        bool forgotten;  ///< some action leaves it open
+    };
+
     std::shared_ptr<const ContingentTask> source_;
     Augmented augmented_;
     std::shared_ptr<const FiniteDomainTask> ground_;
     Conditions conditions_;
     SensingModels models_;
     PlanNames names_;
+    std::vector<Choice> choices_;
+    std::vector<std::vector<std::size_t>> choices_of_;  ///< by ground variable
     std::shared_ptr<BeliefTask> task_;
     std::shared_ptr<FiniteDomainTask> physical_;
 };

@@ -32,6 +32,8 @@ class SimulatedWorld : public Environment {
 
   private:
     void complete();
+    /// Draws anew what the action leaves open.
+    void forget(std::uint32_t action);
     void answer(const GroundReading& reading, std::vector<Answer>& answers);
 
     std::shared_ptr<const BeliefTask> task_;

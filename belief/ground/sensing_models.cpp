@@ -198,7 +198,7 @@ std::uint32_t SensingModels::condition(const Dnf::Term& facts, FiniteDomainTask&
     return place->second;
 }
 
-void SensingModels::begin(BeliefTask& task, FiniteDomainTask& physical) {
+void SensingModels::begin(BeliefTask& task, FiniteDomainTask& physical, bool always) {
     task.initial_values.resize(physical.variable_count(), BeliefTask::kUnknown);
     for (const GroundDefinition& definition : definitions_) {
         const Fact fact = definition.fact;
@@ -207,31 +207,49 @@ void SensingModels::begin(BeliefTask& task, FiniteDomainTask& physical) {
             const Fact holding = first.is_always() ? fact : opposite(fact);
             task.initial_values[index(fact.variable)] = holding.value;
             physical.initial_values[index(fact.variable)] = holding.value;
-            continue;
+        } else {
+            equate(fact, first, false, task, physical);
         }
-        std::vector<Fact> some{opposite(fact)};
-        for (const Dnf::Term& term : first.terms()) {
-            const Fact cause = term.size() == 1 ? term.front() : helper(term, task, physical);
-            some.push_back(cause);
-            task.clauses.append(std::vector<Fact>{opposite(cause), fact});
-        }
-        task.clauses.append(some);
+        if (always && first == definition.condition) equate(fact, first, true, task, physical);
     }
-    task.definitions.insert(task.definitions.end(), definitions_.begin(), definitions_.end());
+    task.definitions = definitions_;
+}
+
+/// Clauses that make a fact equal to a condition. Only facts alone are compared in all states.
+void SensingModels::equate(Fact fact, const Dnf& condition, bool invariant, BeliefTask& task,
+                           FiniteDomainTask& physical) {
+    const bool simple = std::all_of(condition.terms().begin(), condition.terms().end(),
+                                    [](const Dnf::Term& term) { return term.size() == 1; });
+    if (invariant && !simple) return;
+    std::vector<Fact> some{opposite(fact)};
+    for (const Dnf::Term& term : condition.terms()) {
+        const Fact cause = term.size() == 1 ? term.front() : helper(term, task, physical);
+        some.push_back(cause);
+        task.add_clause(std::vector<Fact>{opposite(cause), fact}, invariant);
+    }
+    task.add_clause(some, invariant);
 }
 
 /// A variable that says whether a conjunction holds at first.
 Fact SensingModels::helper(const Dnf::Term& term, BeliefTask& task, FiniteDomainTask& physical) {
     const Fact all = add_variable(physical, {});
     task.initial_values.push_back(BeliefTask::kUnknown);
-    task.definitions.push_back({all, Dnf::of(term)});
+    task.first_definitions.push_back({all, Dnf::of(term)});
     std::vector<Fact> none{all};
     for (const Fact& fact : term) {
-        task.clauses.append(std::vector<Fact>{opposite(all), fact});
+        task.add_clause(std::vector<Fact>{opposite(all), fact}, false);
         none.push_back(opposite(fact));
     }
-    task.clauses.append(none);
+    task.add_clause(none, false);
     return all;
+}
+
+std::set<std::int32_t> SensingModels::depending(const std::set<std::int32_t>& variables) const {
+    std::set<std::int32_t> result;
+    for (std::int32_t variable : variables)
+        if (index(variable) < about_.size())
+            for (std::size_t d : about_[index(variable)]) result.insert(definitions_[d].fact.variable);
+    return result;
 }
 
 std::uint32_t SensingModels::symbol(const std::string& word, FiniteDomainTask& physical) {

@@ -37,7 +37,10 @@ class SensingModels {
     /// Once everything has been read: adds the defined variables, and the effects that keep them right.
     void extend(FiniteDomainTask& physical);
     /// Says what the defined variables are at first; `task.initial_values` has what is certain of the others.
-    void begin(BeliefTask& task, FiniteDomainTask& physical);
+    /// `always`: also of all other states.
+    void begin(BeliefTask& task, FiniteDomainTask& physical, bool always);
+    /// The variables whose definitions mention some of these; after `extend`.
+    std::set<std::int32_t> depending(const std::set<std::int32_t>& variables) const;
 
   private:
     using Atom = std::pair<PredicateId, std::vector<ObjectId>>;
@@ -53,6 +56,8 @@ class SensingModels {
     Fact asked(const Atom& atom, const Observed& observed);
     std::vector<GroundEffect> effects(std::size_t o, FiniteDomainTask& physical);
     std::uint32_t condition(const Dnf::Term& facts, FiniteDomainTask& physical);
+    void equate(Fact fact, const Dnf& condition, bool invariant, BeliefTask& task,
+                FiniteDomainTask& physical);
     Fact helper(const Dnf::Term& term, BeliefTask& task, FiniteDomainTask& physical);
     std::uint32_t symbol(const std::string& word, FiniteDomainTask& physical);
 
