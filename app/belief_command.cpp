@@ -123,7 +123,7 @@ class Runner {
         for (std::uint32_t action : result.run.actions)
             run.actions.push_back(task_->physical->operator_name(OperatorId(action)));
         run.length = length(*task_, result);
-        const Verdict verdict = check_run(*task_, first, result.run.actions);
+        const Verdict verdict = check_run(*task_, first, result.run.actions, world.after_chance());
         run.success = result.run.status == RunStatus::reached && verdict.valid;
         run.false_success = result.run.status == RunStatus::reached && !verdict.valid;
         if (run.false_success) run.message = verdict.reason;

@@ -84,10 +84,8 @@ class Augmenter {
                 add(literal.predicate.index(), literal.arguments);
         for (const MultiValuedVariable* variable : open) add_values(*variable);
         const std::vector<bool> asked = find_observables(source_).asked;
-        for (const MultiValuedVariable& variable : source_.variables)
-            if (variable.observable && asked[variable.values.front().predicate.index()]) add_values(variable);
         for (std::size_t p = 0; p < task_->predicates.size(); ++p)
-            if (source_.open_world[p]) add_all(p);
+            if (source_.open_world[p] || asked[p]) add_all(p);
     }
 
     /// One of the values is certainly true, or the only one certainly false.

@@ -28,6 +28,7 @@ Execution SimulatedWorld::execute(std::uint32_t action, std::stop_token) {
             state_[static_cast<std::size_t>(effect.fact.variable)] = effect.fact.value;
     forget(action);
     complete();
+    if (!task_->forgotten[action].empty()) after_chance_.push_back(state_);
     return {};
 }
 

@@ -29,6 +29,8 @@ class SimulatedWorld : public Environment {
         return all_hold(task_->physical->preconditions[action], state_.data());
     }
     const WorldState& state() const { return state_; }
+    /// The states right after each of the actions that left something open, in order.
+    const std::vector<WorldState>& after_chance() const { return after_chance_; }
 
   private:
     void complete();
@@ -41,6 +43,7 @@ class SimulatedWorld : public Environment {
     AxiomEvaluator::Scratch scratch_;
     WorldState state_;
     WorldState before_;
+    std::vector<WorldState> after_chance_;
     double noise_;
     Random random_;
 };

@@ -128,15 +128,18 @@ Fact SensingModels::asked(const Atom& atom, const Observed& observed) {
 
 /// Observable atoms that no model speaks of are false.
 void SensingModels::define_the_rest() {
-    for (const MultiValuedVariable& variable : source_->variables) {
-        if (!variable.observable) continue;
-        for (const GroundLiteral& value : variable.values) {
-            if (!observables_.asked[value.predicate.index()]) continue;
-            const Place place = conditions_.place(value.predicate, value.arguments);
-            if (place.kind == Place::Kind::fact &&
-                asked_.try_emplace({value.predicate, value.arguments}, definitions_.size()).second)
-                definitions_.push_back({place.fact, Dnf::never()});
-        }
+    std::set<std::int32_t> defined;
+    for (const GroundDefinition& definition : definitions_) defined.insert(definition.fact.variable);
+    std::set<std::string> asked;
+    for (std::size_t p = 0; p < observables_.asked.size(); ++p)
+        if (observables_.asked[p]) asked.insert(source_->task->predicates[p].name);
+    for (std::size_t f = 0, v = 0; f < ground_->fact_count(); ++f) {
+        while (ground_->first_fact[v + 1] <= f) ++v;
+        const auto variable = static_cast<std::int32_t>(v);
+        const auto words = ground_->fact_names.names[f];
+        if (ground_->fact_forms[f] == FiniteDomainTask::FactForm::atom && !words.empty() &&
+            asked.contains(ground_->fact_names.symbols[words[0]]) && !defined.contains(variable))
+            definitions_.push_back({{variable, static_cast<std::int32_t>(f - ground_->first_fact[v])}, {}});
     }
 }
 

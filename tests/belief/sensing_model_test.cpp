@@ -134,7 +134,7 @@ void solve_everywhere(const std::shared_ptr<const BeliefTask>& task) {
         SimulatedWorld world(task, first);
         const RunResult run = agent.run(belief, world);
         EXPECT_EQ(run.status, RunStatus::reached);
-        const Verdict verdict = check_run(*task, first, run.actions);
+        const Verdict verdict = check_run(*task, first, run.actions, world.after_chance());
         EXPECT_TRUE(verdict.valid) << verdict.reason;
     }
 }
