@@ -70,9 +70,18 @@ TEST(Refuse, LeavingAVariableOpenThatAnActionEmpties) {
         "(define (domain d) (:predicates (q) (r) (x) (y)) (:variable v (x) (y))"
         "(:action lose :parameters () :effect (unknown (x)))"
         "(:action move :parameters () :precondition (x) :effect (and (not (x)) (y)))";
-    EXPECT_EQ(refusal(domain + ")", kProblem), "");
-    EXPECT_NE(refusal(domain + "(:action drop :parameters () :effect (not (x))))", kProblem).find("(drop)"),
+    const std::string problem = "(define (problem p) (:domain d) (:init) (:goal (y)))";
+    EXPECT_EQ(refusal(domain + ")", problem), "");
+    EXPECT_NE(refusal(domain + "(:action drop :parameters () :effect (not (x))))", problem).find("(drop)"),
               std::string::npos);
+}
+
+TEST(Refuse, DecayOfWhatIsSticky) {
+    const std::string domain =
+        "(define (domain d) (:predicates (q) (r)) (:decay q 3)"
+        "(:action a :parameters () :precondition (q) :effect (r))";
+    EXPECT_EQ(refusal(domain + ")", kProblem), "");
+    EXPECT_NE(refusal(domain + "(:sticky (q)))", kProblem).find(":sticky"), std::string::npos);
 }
 
 TEST(Refuse, NothingOfAnOrdinaryTask) {

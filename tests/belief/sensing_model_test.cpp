@@ -194,6 +194,14 @@ TEST(SensingModel, TheWorldDrawsOneValue) {
     EXPECT_EQ(seen.size(), 4u);
 }
 
+TEST(Observable, AtomsAreReadAtAnyTime) {
+    const auto task = ground(cave("(:observable (q))"));
+    ASSERT_EQ(task->sensors.size(), 1u);
+    EXPECT_EQ(task->sensors[0].reading.fact.variable, fact_of(*task, "(q)").variable);
+    SimulatedWorld world(task, enumerate_worlds(*task, 100)->front());
+    EXPECT_EQ(world.observe(Environment::kStart).size(), 1u);
+}
+
 TEST(MultiValued, AValueThatIsFalseLeavesTheOthersOpen) {
     const auto task =
         ground({"(define (domain d) (:predicates (x) (y) (z) (g)) (:variable v (x) (y) (z))"
