@@ -35,7 +35,7 @@ BeliefRun judge_belief_run(const BeliefTask& task, const WorldState& first, cons
     run.infeasible = status == RunStatus::infeasible;
     run.failures = world.failed();
     if (status != RunStatus::reached) return run;
-    const Verdict verdict = check_run(task, first, world.happened());
+    const Verdict verdict = check_run(task, first, world.happened(), world.after_chance());
     run.success = verdict.valid;
     run.false_success = !verdict.valid;
     if (run.false_success) run.message = verdict.reason;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "belief/ground/observables.hpp"
 #include "search/ground/refuse.hpp"
 
 namespace praxis::belief {
@@ -38,7 +39,7 @@ class Augmenter {
         const std::vector<bool> open = uncertain_predicates();
         sense_ = declare("@sense", {}, true);
         for (std::size_t s = 0; s < result_.schemas; ++s)
-            if (!source_.sensing[s].observations.empty() || task_->schemas[s].effects.empty())
+            if (senses(s) || task_->schemas[s].effects.empty())
                 task_->schemas[s].effects.push_back(effect(sense_, {}, true));
         for (std::size_t p = 0; p < open.size(); ++p)
             if (open[p]) add_changes(p);
@@ -57,32 +58,48 @@ class Augmenter {
     }
 
   private:
+    bool senses(std::size_t schema) const {
+        const SchemaSensing& sensing = source_.sensing[schema];
+        if (sensing.own_model || !sensing.observations.empty()) return true;
+        return !source_.default_model.empty() || !source_.default_observations.empty();
+    }
+
     void collect_uncertain() {
         for (std::size_t p = 0; p < task_->predicates.size(); ++p) {
             const Relation& known = task_->initial_atoms[p];
             for (std::size_t i = 0; i < known.count; ++i)
                 seen_[p].insert({known.tuple(i).begin(), known.tuple(i).end()});
         }
-        for (const GroundLiteral& literal : source_.known_false)
+        for (const GroundLiteral& literal : source_.known_false) {
             seen_[literal.predicate.index()].insert(literal.arguments);
+            known_false_.emplace(literal.predicate, literal.arguments);
+        }
+        std::vector<const MultiValuedVariable*> open;
+        for (const MultiValuedVariable& variable : source_.variables)
+            if (!variable.observable && !decided(variable)) open.push_back(&variable);
         for (const GroundLiteral& literal : source_.unknown)
             add(literal.predicate.index(), literal.arguments);
         for (const Clause& clause : source_.clauses)
             for (const GroundLiteral& literal : clause.literals)
                 add(literal.predicate.index(), literal.arguments);
-        for (const MultiValuedVariable& variable : source_.variables)
-            if (!variable.observable && !decided(variable))
-                for (const GroundLiteral& literal : variable.values)
-                    add(literal.predicate.index(), literal.arguments);
+        for (const MultiValuedVariable* variable : open) add_values(*variable);
+        const std::vector<bool> asked = find_observables(source_).asked;
         for (std::size_t p = 0; p < task_->predicates.size(); ++p)
-            if (source_.open_world[p]) add_all(p);
+            if (source_.open_world[p] || asked[p]) add_all(p);
     }
 
-    /// One of the values is certain.
+    /// One of the values is certainly true, or the only one certainly false.
     bool decided(const MultiValuedVariable& variable) const {
-        return std::any_of(variable.values.begin(), variable.values.end(), [&](const GroundLiteral& value) {
+        const auto seen = [&](const GroundLiteral& value) {
             return seen_[value.predicate.index()].contains(value.arguments);
+        };
+        if (variable.values.size() == 1) return seen(variable.values.front());
+        return std::any_of(variable.values.begin(), variable.values.end(), [&](const GroundLiteral& value) {
+            return seen(value) && !known_false_.contains({value.predicate, value.arguments});
         });
+    }
+    void add_values(const MultiValuedVariable& variable) {
+        for (const GroundLiteral& value : variable.values) add(value.predicate.index(), value.arguments);
     }
 
     void add(std::size_t predicate, const std::vector<ObjectId>& arguments) {
@@ -208,7 +225,8 @@ class Augmenter {
     std::shared_ptr<LiftedTask> task_;
     Augmented result_;
     std::vector<std::set<std::vector<ObjectId>>> seen_;  ///< by predicate: atoms that have been looked at
-    std::vector<bool> forgotten_;                        ///< by predicate: its atoms may be forgotten
+    std::set<std::pair<PredicateId, std::vector<ObjectId>>> known_false_;
+    std::vector<bool> forgotten_;  ///< by predicate: its atoms may be forgotten
     PredicateId sense_;
     std::size_t count_ = 0;
 };

@@ -16,6 +16,7 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
     : compilation_(std::move(compilation)),
       axioms_(std::make_shared<AxiomEvaluator>(*compilation_->task())),
       initial_(compilation_->belief()),
+      invariants_(InitialKnowledge::of_invariants(compilation_->belief())),
       derived_(compilation_->belief()),
       supposed_derived_(derived_),
       consistent_(initial_.consistent()),
@@ -155,7 +156,7 @@ bool Belief::learn(Fact fact) {
             if (values_[static_cast<std::size_t>(slots.values[slot][column])] != fact.value)
                 values_[static_cast<std::size_t>(slots.possible[slot])] = 0;
     } else if (touched_[variable]) {
-        values_[basic(fact.variable)] = fact.value;
+        if (!learn_now(fact)) return false;
     } else {
         news_.clear();
         if (!initial_.learn(fact, news_, true)) return false;
@@ -213,6 +214,22 @@ void Belief::settle() {
         for (const Fact& fact : supposition().facts) values_[basic(fact.variable)] = fact.value;
     }
     complete();
+}
+
+bool Belief::learn_now(Fact fact) {
+    if (invariants_.empty()) {
+        values_[basic(fact.variable)] = fact.value;
+        return true;
+    }
+    std::vector<std::int32_t> known(touched_.size());
+    for (std::size_t v = 0; v < known.size(); ++v) known[v] = value(static_cast<std::int32_t>(v));
+    InitialKnowledge now = invariants_.with(std::move(known));
+    news_.clear();
+    if (!now.learn(fact, news_, true)) return false;
+    for (std::int32_t other : news_)
+        if (touched_[static_cast<std::size_t>(other)] && !compilation_->tracked(other))
+            values_[basic(other)] = now.value(other);
+    return true;
 }
 
 Supposition Belief::supposition() const {

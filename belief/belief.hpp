@@ -96,11 +96,14 @@ class Belief {
     Supposition supposition() const;
     void complete();
     void decay();
+    /// A reading of a variable that an action may have changed.
+    bool learn_now(Fact fact);
 
     std::shared_ptr<const Compilation> compilation_;
     std::shared_ptr<const AxiomEvaluator> axioms_;
     AxiomEvaluator::Scratch scratch_;
     InitialKnowledge initial_;
+    InitialKnowledge invariants_;  ///< what holds in all states
     DerivedKnowledge derived_;
     DerivedKnowledge supposed_derived_;  ///< while something is in doubt
     Hypotheses hypotheses_;

@@ -12,9 +12,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "belief/ground/dnf.hpp"
 #include "parser/contingent.hpp"
 #include "search/atom_index.hpp"
 #include "search/budget.hpp"
@@ -39,6 +41,17 @@ struct GroundSensor {
     GroundReading reading;
 };
 
+/// `fact` holds where the condition does, and only there: a variable that sensing models need.
+struct GroundDefinition {
+    Fact fact;
+    Dnf condition;
+
+    /// Gives the variable its value in a state.
+    void settle(std::int32_t* state) const {
+        state[fact.variable] = condition.holds(state) ? fact.value : 1 - fact.value;
+    }
+};
+
 struct BeliefTask {
     std::shared_ptr<const ContingentTask> source;
     /// The lifted task that was grounded: the source's with what grounding needed besides.
@@ -61,9 +74,25 @@ struct BeliefTask {
 
     PackedLists<Fact> clauses;  ///< of each, one fact or more holds at first
     PackedLists<Fact> groups;   ///< of each, one fact at most holds at first
-    PackedLists<Fact> worlds;   ///< hidden worlds of the source: the uncertain atoms that hold
+    /// By clause and by group: it holds in every state, not only in the first one.
+    std::vector<bool> invariant_clauses, invariant_groups;
+    /// Multi-valued variables that some action leaves open: of each, exactly one fact holds in every state.
+    PackedLists<Fact> choices;
+    /// Clauses say the same; effects keep it so.
+    std::vector<GroundDefinition> definitions;
+    /// Definitions of helper variables, which are of no meaning but in the first state. They come first.
+    std::vector<GroundDefinition> first_definitions;
+    PackedLists<Fact> worlds;  ///< hidden worlds of the source: the uncertain atoms that hold
 
     std::size_t operator_count() const { return physical->operator_count(); }
+    void add_clause(std::span<const Fact> facts, bool invariant) {
+        clauses.append(facts);
+        invariant_clauses.push_back(invariant);
+    }
+    void add_group(std::span<const Fact> facts, bool invariant) {
+        groups.append(facts);
+        invariant_groups.push_back(invariant);
+    }
 };
 
 struct GroundBeliefResult {

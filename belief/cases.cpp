@@ -1,8 +1,10 @@
 #include "belief/cases.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 namespace praxis::belief {
 
@@ -48,6 +50,52 @@ void Cases::finish() {
     for (std::size_t column = 0; column < width_; ++column) {
         const std::int32_t first = row(0)[column];
         if (exception(column, first) == count_) common_[column] = first;
+    }
+}
+
+void Cases::open_choices(std::uint32_t action) {
+    const auto forgotten = task_->forgotten[action];
+    const auto own = [&](std::int32_t variable) {
+        return components_->component_of[static_cast<std::size_t>(variable)] == component_;
+    };
+    const auto column = [&](std::int32_t variable) {
+        return components_->column_of[static_cast<std::size_t>(variable)];
+    };
+    for (std::size_t c = 0; c < task_->choices.size(); ++c) {
+        const auto choice = task_->choices[c];
+        const std::int32_t first = choice.front().variable;
+        if (!own(first) || std::find(forgotten.begin(), forgotten.end(), first) == forgotten.end()) continue;
+        std::vector<std::int8_t> rows;
+        rows.reserve(rows_.size() * choice.size());
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const Fact& chosen : choice) {
+                std::int8_t* const values = &*rows.insert(rows.end(), row(i), row(i) + width_);
+                for (const Fact& fact : choice)
+                    values[column(fact.variable)] =
+                        static_cast<std::int8_t>(fact == chosen ? fact.value : 1 - fact.value);
+            }
+        }
+        rows_ = std::move(rows);
+        count_ = rows_.size() / width_;
+        remove_repeated();
+    }
+    for (const GroundDefinition& definition : task_->definitions) {
+        const Fact defined = definition.fact;
+        if (!own(defined.variable) ||
+            std::find(forgotten.begin(), forgotten.end(), defined.variable) == forgotten.end())
+            continue;
+        for (std::size_t i = 0; i < count_; ++i) {
+            std::int8_t* const values = rows_.data() + i * width_;
+            const bool holds =
+                std::any_of(definition.condition.terms().begin(), definition.condition.terms().end(),
+                            [&](const Dnf::Term& term) {
+                                return std::all_of(term.begin(), term.end(), [&](const Fact& fact) {
+                                    return values[column(fact.variable)] == fact.value;
+                                });
+                            });
+            values[column(defined.variable)] =
+                static_cast<std::int8_t>(holds ? defined.value : 1 - defined.value);
+        }
     }
 }
 

@@ -33,6 +33,8 @@ class Cases {
   private:
     void finish();
     void remove_repeated();
+    /// Multi-valued variables that the action leaves open: every case with each of their values.
+    void open_choices(std::uint32_t action);
 
     const BeliefTask* task_;
     const Components* components_;
@@ -66,7 +68,8 @@ void Cases::act(std::uint32_t action, const Certain& certain) {
         if (possible)
             changes.push_back({column, static_cast<std::int8_t>(effect.fact.value), effect.condition});
     }
-    if (changes.empty()) return;
+    const bool opens = !task_->forgotten[action].empty();
+    if (changes.empty() && !opens) return;
     for (std::size_t i = 0; i < count_; ++i) {
         std::int8_t* const values = rows_.data() + i * width_;
         before_.assign(values, values + width_);
@@ -79,6 +82,7 @@ void Cases::act(std::uint32_t action, const Certain& certain) {
             if (fires) values[change.column] = change.value;
         }
     }
+    if (opens) open_choices(action);
     finish();
 }
 

@@ -1,8 +1,10 @@
 #include "belief/components.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "belief/worlds.hpp"
 
@@ -24,6 +26,37 @@ class DisjointSets {
     std::vector<std::size_t> parent_;
 };
 
+/// Forgotten variables without cases that could be counted beforehand. The values of multi-valued variables
+/// can be, with what is defined by uncertain variables.
+std::set<std::int32_t> untracked(const BeliefTask& task) {
+    std::set<std::int32_t> result(task.forgotten.items().begin(), task.forgotten.items().end());
+    for (const Fact& fact : task.choices.items()) result.erase(fact.variable);
+    for (const GroundDefinition& definition : task.definitions) {
+        const auto known = [&](const Fact& fact) { return !task.uncertain[index(fact.variable)]; };
+        const auto& terms = definition.condition.terms();
+        if (std::none_of(terms.begin(), terms.end(),
+                         [&](const Dnf::Term& term) { return std::any_of(term.begin(), term.end(), known); }))
+            result.erase(definition.fact.variable);
+    }
+    return result;
+}
+
+/// As many cases as there can be at any time, if some variable of the component is ever left open.
+double most_ever(const BeliefTask& task, const Component& component) {
+    const std::set<std::int32_t> forgotten(task.forgotten.items().begin(), task.forgotten.items().end());
+    std::set<std::int32_t> free(component.variables.begin(), component.variables.end());
+    if (std::none_of(free.begin(), free.end(), [&](std::int32_t v) { return forgotten.contains(v); }))
+        return 0;
+    double cases = 1;
+    for (std::size_t c = 0; c < task.choices.size(); ++c) {
+        if (free.erase(task.choices[c].front().variable) == 0) continue;
+        cases *= static_cast<double>(task.choices[c].size());
+        for (const Fact& fact : task.choices[c]) free.erase(fact.variable);
+    }
+    for (const GroundDefinition& definition : task.definitions) free.erase(definition.fact.variable);
+    return cases * std::pow(2.0, static_cast<double>(free.size()));
+}
+
 }  // namespace
 
 Components find_components(const BeliefTask& task, std::size_t most_cases) {
@@ -37,6 +70,12 @@ Components find_components(const BeliefTask& task, std::size_t most_cases) {
         for (std::size_t i = 0; i < lists->size(); ++i)
             for (const Fact& fact : (*lists)[i])
                 sets.join(index(fact.variable), index((*lists)[i].front().variable));
+
+    if (task.choices.size() > 0)
+        for (const GroundDefinition& definition : task.definitions)
+            for (const Dnf::Term& term : definition.condition.terms())
+                for (const Fact& fact : term)
+                    if (uncertain(fact)) sets.join(index(fact.variable), index(definition.fact.variable));
 
     // Effects that depend on what the precondition leaves open.
     std::vector<bool> dependent(count, false);
@@ -83,8 +122,7 @@ Components find_components(const BeliefTask& task, std::size_t most_cases) {
             place->second.variables.push_back(variable);
     }
 
-    // What an action leaves to chance has no cases that could be counted beforehand.
-    for (std::int32_t variable : task.forgotten.items()) found.erase(sets.find(index(variable)));
+    for (std::int32_t variable : untracked(task)) found.erase(sets.find(index(variable)));
     for (std::size_t v = 0; v < count; ++v)
         if (task.lasting[v] != BeliefTask::kForever) found.erase(sets.find(v));
 
@@ -93,7 +131,7 @@ Components find_components(const BeliefTask& task, std::size_t most_cases) {
     result.column_of.assign(count, Components::kNone);
     for (auto& [root, component] : found) {
         const auto rows = enumerate_values(task, component.variables, most_cases);
-        if (!rows || rows->empty()) continue;
+        if (!rows || rows->empty() || most_ever(task, component) > static_cast<double>(most_cases)) continue;
         component.cases = *rows;
         for (std::size_t i = 0; i < component.variables.size(); ++i) {
             result.component_of[index(component.variables[i])] =

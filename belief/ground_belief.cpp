@@ -6,18 +6,13 @@
 
 #include "belief/augment.hpp"
 #include "belief/belief_task.hpp"
+#include "belief/ground/choices.hpp"
+#include "belief/ground/conditions.hpp"
+#include "belief/ground/sensing_models.hpp"
 #include "search/ground/ground.hpp"
-#include "search/ground/refuse.hpp"
 
 namespace praxis::belief {
 namespace {
-
-/// What the ground task says about an atom.
-struct Place {
-    enum class Kind { fact, always, never };
-    Kind kind = Kind::never;
-    Fact fact;
-};
 
 class Grounder {
   public:
@@ -26,17 +21,22 @@ class Grounder {
         : source_(std::move(source)),
           augmented_(std::move(augmented)),
           ground_(std::move(ground)),
-          atoms_(std::make_shared<AtomIndex>(*augmented_.task, *ground_)),
+          conditions_(source_, ground_, std::make_shared<AtomIndex>(*augmented_.task, *ground_)),
+          models_(source_, ground_, conditions_),
           names_(*augmented_.task, *ground_),
-          task_(std::make_shared<BeliefTask>()) {}
+          task_(std::make_shared<BeliefTask>()) {
+        find_choices();
+    }
 
     std::shared_ptr<const BeliefTask> operator()() {
         task_->source = source_;
         task_->lifted = augmented_.task;
-        task_->atoms = atoms_;
         add_initial_values();
         split_operators();
+        complete_forgotten();
+        models_.begin(*task_, *physical_, !task_->forgotten.items().empty());
         task_->physical = physical_;
+        task_->atoms = std::make_shared<AtomIndex>(*augmented_.task, *physical_);
         mark_uncertain();
         if (physical_->proved_unsolvable) return std::move(task_);  // nearly nothing is left to speak of
         add_initial_clauses();
@@ -45,44 +45,12 @@ class Grounder {
     }
 
   private:
-    [[noreturn]] void refuse(Location where, std::string message) const {
-        grounding::refuse(*source_->task, where, std::move(message));
-    }
-
-    Place place(PredicateId predicate, std::span<const ObjectId> arguments) const {
-        std::uint32_t number = atoms_->find(predicate, arguments);
-        if (number == AtomIndex::kAbsent) return {Place::Kind::never, {}};
-        if ((*atoms_)[number].kind != AtomIndex::Entry::Kind::fact) return {Place::Kind::always, {}};
-        // Of several variables that have the atom, one with two values can be uncertain.
-        const std::uint32_t first = number;
-        for (; number != AtomIndex::kAbsent; number = (*atoms_)[number].next)
-            if (ground_->domain_sizes[static_cast<std::size_t>((*atoms_)[number].fact.variable)] == 2)
-                return {Place::Kind::fact, (*atoms_)[number].fact};
-        return {Place::Kind::fact, (*atoms_)[first].fact};
-    }
-    Place place(const GroundLiteral& literal) const {
-        Place result = place(literal.predicate, literal.arguments);
-        if (!literal.negated) return result;
-        switch (result.kind) {
-            case Place::Kind::always:
-                return {Place::Kind::never, {}};
-            case Place::Kind::never:
-                return {Place::Kind::always, {}};
-            case Place::Kind::fact:
-                break;
-        }
-        if (ground_->domain_sizes[static_cast<std::size_t>(result.fact.variable)] != 2)
-            refuse(literal.where, "a negative literal about an atom that is one of several values");
-        result.fact.value = 1 - result.fact.value;
-        return result;
-    }
-
     void add_initial_values() {
         task_->initial_values = ground_->initial_values;
         for (std::size_t p = 0; p < augmented_.uncertain.size(); ++p) {
             const Relation& relation = augmented_.uncertain[p];
             for (std::size_t i = 0; i < relation.count; ++i) {
-                const Place where = place(PredicateId(p), relation.tuple(i));
+                const Place where = conditions_.place(PredicateId(p), relation.tuple(i));
                 if (where.kind == Place::Kind::fact)
                     task_->initial_values[static_cast<std::size_t>(where.fact.variable)] =
                         BeliefTask::kUnknown;
@@ -123,10 +91,38 @@ class Grounder {
                 physical->effects.close();
                 physical->costs.push_back(ground_->costs[o]);
                 physical->operator_names.names.append(ground_->operator_names.names[o]);
-                add_sensing(step);
+                add_sensing(o, step);
             }
         }
+        models_.extend(*physical);
         physical_ = std::move(physical);
+        add_open_eyes();
+    }
+
+    /// `:observable`: atoms that can be read at any time, by sensors without a condition.
+    void add_open_eyes() {
+        for (std::size_t p = 0; p < source_->declared_observable.size(); ++p) {
+            if (!source_->declared_observable[p]) continue;
+            const Predicate& predicate = source_->task->predicates[p];
+            for (std::size_t v : variables_of(predicate.name)) {
+                const Fact fact{static_cast<std::int32_t>(v), 0};
+                check_readable(fact, predicate.where);
+                if (physical_->domain_sizes[v] != 2) continue;  // never uncertain
+                std::string name = physical_->fact_names.words(physical_->fact_number(fact));
+                task_->sensors.push_back({"(" + std::move(name) + ")", {fact, 1}});
+                task_->sensor_conditions.close();
+            }
+        }
+    }
+
+    /// Those whose first value is about the predicate.
+    std::vector<std::size_t> variables_of(const std::string& predicate) const {
+        std::vector<std::size_t> result;
+        for (std::size_t v = 0; v < physical_->variable_count(); ++v) {
+            const auto words = physical_->fact_names.names[physical_->first_fact[v]];
+            if (!words.empty() && physical_->fact_names.symbols[words[0]] == predicate) result.push_back(v);
+        }
+        return result;
     }
 
     /// Of the atom that only keeps sensing schemas alive.
@@ -139,85 +135,117 @@ class Grounder {
         return result;
     }
 
-    /// Calls visit(reading) for every reading that an observation of a ground action gives.
-    template <class Visit>
-    void for_each_reading(const Observation& observation, const Scope& scope,
-                          const std::vector<ObjectId>& arguments, Visit visit) const {
-        std::vector<ObjectId> binding(scope.variable_types.size());
-        std::copy(arguments.begin(), arguments.end(), binding.begin());
-        bind(observation, scope, binding, 0, visit);
-    }
-    template <class Visit>
-    void bind(const Observation& observation, const Scope& scope, std::vector<ObjectId>& binding,
-              std::size_t next, const Visit& visit) const {
-        if (next < observation.variables.size()) {
-            const std::uint32_t variable = observation.variables[next];
-            for (ObjectId object : source_->task->types[scope.variable_types[variable].index()].objects) {
-                binding[variable] = object;
-                bind(observation, scope, binding, next + 1, visit);
+    /// The multi-valued variables all of whose values may be uncertain.
+    void find_choices() {
+        choices_of_.resize(ground_->variable_count());
+        for (const MultiValuedVariable& variable : source_->variables) {
+            if (variable.observable || variable.values.size() < 2) continue;
+            Choice choice{&variable, {}, false};
+            bool complete = true;
+            for (const GroundLiteral& value : variable.values) {
+                const Place where = conditions_.place(value.predicate, value.arguments);
+                if (where.kind == Place::Kind::fact) choice.facts.push_back(where.fact);
+                complete = complete && where.kind != Place::Kind::always &&
+                           (where.kind == Place::Kind::never ||
+                            ground_->domain_sizes[static_cast<std::size_t>(where.fact.variable)] == 2);
             }
-            return;
+            if (!complete || choice.facts.size() < 2) continue;
+            for (const Fact& fact : choice.facts)
+                choices_of_[static_cast<std::size_t>(fact.variable)].push_back(choices_.size());
+            choices_.push_back(std::move(choice));
         }
-        if (!static_truth(observation.condition, binding)) return;
-        const Place where = place(observation.predicate, resolve(observation.terms, binding));
-        if (where.kind == Place::Kind::fact) visit(GroundReading{where.fact, observation.accuracy});
     }
 
-    static std::vector<ObjectId> resolve(const std::vector<Term>& terms,
-                                         const std::vector<ObjectId>& binding) {
-        std::vector<ObjectId> result;
-        for (const Term& term : terms)
-            result.push_back(term.is_variable() ? binding[term.variable_index()] : term.object_id());
+    /// Leaving one value open leaves the whole multi-valued variable open.
+    std::set<std::int32_t> forgotten_by(const PlanStep& step) {
+        std::set<std::int32_t> result;
+        const std::size_t s = step.schema.index();
+        for (const Effect& effect : source_->sensing[s].forgotten)
+            for_each_fact(effect, source_->task->schemas[s].scope, step.arguments, conditions_.open(),
+                          [&](Fact fact) {
+                              result.insert(fact.variable);
+                              for (std::size_t c : choices_of_[static_cast<std::size_t>(fact.variable)]) {
+                                  choices_[c].forgotten = true;
+                                  for (const Fact& other : choices_[c].facts) result.insert(other.variable);
+                              }
+                          });
         return result;
     }
 
-    bool static_truth(const Formula& formula, const std::vector<ObjectId>& binding) const {
-        switch (formula.kind) {
-            case Connective::truth:
-                return true;
-            case Connective::falsity:
-                return false;
-            case Connective::equality: {
-                const std::vector<ObjectId> objects = resolve(formula.terms, binding);
-                return objects[0] == objects[1];
-            }
-            case Connective::negation:
-                return !static_truth(formula.children[0], binding);
-            case Connective::conjunction:
-                return std::all_of(formula.children.begin(), formula.children.end(),
-                                   [&](const Formula& child) { return static_truth(child, binding); });
-            case Connective::disjunction:
-                return std::any_of(formula.children.begin(), formula.children.end(),
-                                   [&](const Formula& child) { return static_truth(child, binding); });
-            case Connective::atom: {
-                const Place where = place(formula.predicate, resolve(formula.terms, binding));
-                if (where.kind == Place::Kind::fact)
-                    refuse(formula.where, "what is observed depends on a condition that can change");
-                return where.kind == Place::Kind::always;
-            }
-            default:
-                refuse(formula.where, "a condition of an observation with quantifiers or implications");
+    /// What observables show of what is left open is left open, too.
+    void complete_forgotten() {
+        if (task_->forgotten.items().empty()) return;
+        PackedLists<std::int32_t> all;
+        for (std::size_t o = 0; o < task_->forgotten.size(); ++o) {
+            const auto own = task_->forgotten[o];
+            std::set<std::int32_t> variables(own.begin(), own.end());
+            variables.merge(models_.depending(variables));
+            all.append(variables);
+        }
+        task_->forgotten = std::move(all);
+        for (const Choice& choice : choices_) {
+            if (!choice.forgotten) continue;
+            if (const auto o = breaks_choice(*physical_, choice.facts))
+                conditions_.refuse(choice.variable->where, "an action leaves the variable open, but " +
+                                                               physical_->operator_name(*o) +
+                                                               " may leave it with no value, or several");
+            task_->choices.append(choice.facts);
         }
     }
 
-    void add_sensing(const PlanStep& step) {
-        const Schema& schema = source_->task->schemas[step.schema.index()];
-        const SchemaSensing& sensing = source_->sensing[step.schema.index()];
-        for (const Observation& observation : sensing.observations) {
-            for_each_reading(observation, schema.scope, step.arguments, [&](const GroundReading& reading) {
-                check_readable(reading.fact, observation.where);
-                task_->readings.add(reading);
-            });
+    /// What is known of the state after an operator whose precondition held and that leaves variables open.
+    Context after(std::size_t o, const std::set<std::int32_t>& forgotten) const {
+        Context values = conditions_.open();
+        for (const Fact& fact : ground_->preconditions[o])
+            values[static_cast<std::size_t>(fact.variable)] = fact.value;
+        for (const GroundEffect& effect : ground_->effects[o]) {
+            std::int32_t& value = values[static_cast<std::size_t>(effect.fact.variable)];
+            if (effect.condition == 0)
+                value = effect.fact.value;
+            else if (value != effect.fact.value)
+                value = kOpen;
         }
+        for (std::int32_t variable : forgotten) values[static_cast<std::size_t>(variable)] = kOpen;
+        return values;
+    }
+
+    /// Calls visit(fact) for every atom that something described with variables and a condition speaks of.
+    template <class Described, class Visit>
+    void for_each_fact(const Described& described, const Scope& scope, const std::vector<ObjectId>& arguments,
+                       const Context& known, const Visit& visit) const {
+        Conditions::Binding binding = Conditions::bind(scope, arguments);
+        conditions_.instances(
+            described.variables, described.condition, scope, binding, known,
+            [&](const Conditions::Binding& full) {
+                if (conditions_.verdict(described.condition, scope, full, known) !=
+                    Conditions::Verdict::holds)
+                    conditions_.refuse(described.where,
+                                       "what is observed depends on a condition that can change");
+                const Place where =
+                    conditions_.place(described.predicate, Conditions::resolve(described.terms, full));
+                if (where.kind == Place::Kind::fact) visit(where.fact);
+            });
+    }
+
+    void add_sensing(std::size_t o, const PlanStep& step) {
+        const std::size_t s = step.schema.index();
+        const Scope& scope = source_->task->schemas[s].scope;
+        const SchemaSensing& sensing = source_->sensing[s];
+        const std::set<std::int32_t> forgotten = forgotten_by(step);
+        const Context known = after(o, forgotten);
+        const auto read = [&](const std::vector<Observation>& observations, const Scope& variables,
+                              const std::vector<ObjectId>& arguments) {
+            for (const Observation& observation : observations)
+                for_each_fact(observation, variables, arguments, known, [&](Fact fact) {
+                    check_readable(fact, observation.where);
+                    task_->readings.add({fact, observation.accuracy});
+                });
+        };
+        read(sensing.observations, scope, step.arguments);
+        if (!sensing.own_model) read(source_->default_observations, source_->default_scope, {});
+        models_.read(s, step.arguments, known, task_->readings);
         task_->readings.close();
-        for (const Effect& effect : sensing.forgotten) {
-            const Observation atom{effect.variables, effect.condition, effect.predicate, effect.terms, 1,
-                                   effect.where};
-            for_each_reading(atom, schema.scope, step.arguments, [&](const GroundReading& reading) {
-                task_->forgotten.add(reading.fact.variable);
-            });
-        }
-        task_->forgotten.close();
+        task_->forgotten.append(forgotten);
     }
 
     void add_sensor(std::size_t o, const PlanStep& step) {
@@ -225,18 +253,18 @@ class Grounder {
         std::string name = "(" + sensor.name;
         for (ObjectId object : step.arguments) name += " " + source_->task->objects[object.index()].name;
         name += ")";
-        for (const Observation& observation : sensor.observations) {
-            for_each_reading(observation, sensor.scope, step.arguments, [&](const GroundReading& reading) {
-                check_readable(reading.fact, observation.where);
-                task_->sensors.push_back({name, reading});
+        for (const Observation& observation : sensor.observations)
+            for_each_fact(observation, sensor.scope, step.arguments, after(o, {}), [&](Fact fact) {
+                check_readable(fact, observation.where);
+                task_->sensors.push_back({name, {fact, observation.accuracy}});
                 task_->sensor_conditions.append(ground_->preconditions[o]);
             });
-        }
     }
 
     void check_readable(Fact fact, Location where) const {
         if (ground_->derived(fact.variable))
-            refuse(where, "a derived predicate cannot be sensed; sense the atoms that it is derived from");
+            conditions_.refuse(
+                where, "a derived predicate cannot be sensed; sense the atoms that it is derived from");
     }
 
     void mark_uncertain() {
@@ -271,22 +299,19 @@ class Grounder {
         }
         for (std::size_t v = 0; v < uncertain.size(); ++v)
             if (uncertain[v] && !task.derived(static_cast<std::int32_t>(v)) && task.domain_sizes[v] != 2)
-                refuse(source_->task->goal.where, "the atoms of " +
-                                                      task.fact_name({static_cast<std::int32_t>(v), 0}) +
-                                                      " may become uncertain, but exclude each other");
+                conditions_.refuse(source_->task->goal.where,
+                                   "the atoms of " + task.fact_name({static_cast<std::int32_t>(v), 0}) +
+                                       " may become uncertain, but exclude each other");
     }
 
     void add_decay() {
         const FiniteDomainTask& task = *physical_;
         task_->lasting.assign(task.variable_count(), BeliefTask::kForever);
         for (const Decay& decay : source_->decays) {
-            const std::string& predicate = source_->task->predicates[decay.predicate.index()].name;
-            for (std::size_t v = 0; v < task.variable_count(); ++v) {
-                if (task.derived(static_cast<std::int32_t>(v))) continue;
-                const auto words = task.fact_names.names[task.first_fact[v]];
-                if (!words.empty() && task.fact_names.symbols[words[0]] == predicate)
-                    task_->lasting[v] = decay.steps;
-            }
+            if (source_->sticky[decay.predicate.index()])
+                conditions_.refuse(decay.where, "':decay' of a predicate that is ':sticky'");
+            for (std::size_t v : variables_of(source_->task->predicates[decay.predicate.index()].name))
+                if (!task.derived(static_cast<std::int32_t>(v))) task_->lasting[v] = decay.steps;
         }
     }
 
@@ -301,13 +326,21 @@ class Grounder {
         for (const MultiValuedVariable& variable : source_->variables)
             if (!variable.observable && variable.values.size() > 1)
                 add_clause(ClauseKind::exactly_one, variable.values, variable.where);
+        add_choices();
+    }
+
+    void add_choices() {
+        for (std::size_t c = 0; c < task_->choices.size(); ++c) {
+            task_->add_clause(task_->choices[c], true);
+            task_->add_group(task_->choices[c], true);
+        }
     }
 
     void add_clause(ClauseKind kind, const std::vector<GroundLiteral>& literals, Location where) {
         std::set<Fact> facts;
         std::size_t holding = 0;
         for (const GroundLiteral& literal : literals) {
-            const Place found = place(literal);
+            const Place found = conditions_.place(literal);
             if (found.kind == Place::Kind::never) continue;
             const std::int32_t known =
                 found.kind == Place::Kind::fact
@@ -323,17 +356,16 @@ class Grounder {
                 return facts.contains({fact.variable, 1 - fact.value});
             });
             if (facts.empty() && holding == 0) contradiction(where);
-            if (holding == 0 && !tautology) task_->clauses.append(facts);
+            if (holding == 0 && !tautology)
+                task_->add_clause(std::vector<Fact>(facts.begin(), facts.end()), false);
         }
         if (kind != ClauseKind::at_least_one) {
             if (holding > 1) contradiction(where);
             if (holding == 1) {
-                for (const Fact& fact : facts) {
-                    task_->clauses.add({fact.variable, 1 - fact.value});
-                    task_->clauses.close();
-                }
+                for (const Fact& fact : facts)
+                    task_->add_clause(std::vector<Fact>{{fact.variable, 1 - fact.value}}, false);
             } else if (facts.size() > 1) {
-                task_->groups.append(facts);
+                task_->add_group(std::vector<Fact>(facts.begin(), facts.end()), false);
             }
         }
     }
@@ -341,39 +373,35 @@ class Grounder {
     void add_worlds() {
         for (const HiddenWorld& world : source_->hidden) {
             for (const GroundLiteral& literal : world.literals) {
-                const Place where = place(literal.predicate, literal.arguments);
+                const Place where = conditions_.place(literal.predicate, literal.arguments);
                 if (where.kind == Place::Kind::fact && !literal.negated) task_->worlds.add(where.fact);
             }
             task_->worlds.close();
         }
     }
 
+    /// A multi-valued variable by its ground facts.
+    struct Choice {
+        const MultiValuedVariable* variable;
+        std::vector<Fact> facts;
+        bool forgotten;  ///< some action leaves it open
+    };
+
     std::shared_ptr<const ContingentTask> source_;
     Augmented augmented_;
     std::shared_ptr<const FiniteDomainTask> ground_;
-    std::shared_ptr<AtomIndex> atoms_;
+    Conditions conditions_;
+    SensingModels models_;
     PlanNames names_;
+    std::vector<Choice> choices_;
+    std::vector<std::vector<std::size_t>> choices_of_;  ///< by ground variable
     std::shared_ptr<BeliefTask> task_;
-    std::shared_ptr<const FiniteDomainTask> physical_;
+    std::shared_ptr<FiniteDomainTask> physical_;
 };
-
-/// What is read, but not planned for yet.
-void refuse_unsupported(const ContingentTask& task) {
-    const auto refuse = [&](Location where, const char* message) {
-        grounding::refuse(*task.task, where, message);
-    };
-    for (const SchemaSensing& schema : task.sensing)
-        if (!schema.model.empty()) refuse(schema.model.front().where, "sensing models are not planned for");
-    if (!task.default_model.empty())
-        refuse(task.default_model.front().where, "sensing models are not planned for");
-    if (!task.default_observations.empty())
-        refuse(task.default_observations.front().where, "sensing models are not planned for");
-}
 
 }  // namespace
 
 GroundBeliefResult ground_belief(std::shared_ptr<const ContingentTask> source, const Budget& budget) {
-    refuse_unsupported(*source);
     Augmented augmented = augment(*source);
     GroundOptions options;
     options.prune_irrelevant = false;

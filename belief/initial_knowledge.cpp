@@ -11,19 +11,42 @@ constexpr std::size_t kMostTries = 400;
 
 }  // namespace
 
-InitialKnowledge::InitialKnowledge(const BeliefTask& task) : task_(&task), values_(task.initial_values) {
+InitialKnowledge::InitialKnowledge(const BeliefTask& task, bool only_invariants,
+                                   std::vector<std::int32_t> values)
+    : task_(&task), values_(std::move(values)) {
     auto occurrences = std::make_shared<Occurrences>();
     occurrences->clauses.resize(values_.size());
     occurrences->groups.resize(values_.size());
-    for (std::uint32_t c = 0; c < task.clauses.size(); ++c)
+    for (std::uint32_t c = 0; c < task.clauses.size(); ++c) {
+        if (only_invariants && !task.invariant_clauses[c]) continue;
+        empty_ = false;
         for (const Fact& fact : task.clauses[c]) occurrences->clauses[index(fact.variable)].push_back(c);
-    for (std::uint32_t g = 0; g < task.groups.size(); ++g)
+    }
+    for (std::uint32_t g = 0; g < task.groups.size(); ++g) {
+        if (only_invariants && !task.invariant_groups[g]) continue;
+        empty_ = false;
         for (const Fact& fact : task.groups[g])
             occurrences->groups[index(fact.variable)].push_back({g, fact.value});
+    }
     occurrences_ = std::move(occurrences);
+}
+
+InitialKnowledge::InitialKnowledge(const BeliefTask& task)
+    : InitialKnowledge(task, false, task.initial_values) {
     std::vector<std::int32_t> news;
     for (std::size_t c = 0; c < task.clauses.size() && consistent_; ++c)
         if (task.clauses[c].size() == 1) consistent_ = learn(task.clauses[c][0], news);
+}
+
+InitialKnowledge InitialKnowledge::of_invariants(const BeliefTask& task) {
+    return InitialKnowledge(task, true,
+                            std::vector<std::int32_t>(task.initial_values.size(), BeliefTask::kUnknown));
+}
+
+InitialKnowledge InitialKnowledge::with(std::vector<std::int32_t> values) const {
+    InitialKnowledge result = *this;
+    result.values_ = std::move(values);
+    return result;
 }
 
 bool InitialKnowledge::set(Fact fact, std::vector<std::int32_t>& news) {

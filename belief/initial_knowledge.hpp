@@ -17,6 +17,12 @@ class InitialKnowledge {
   public:
     /// Refers to the task. `consistent` is false if the description contradicts itself already.
     explicit InitialKnowledge(const BeliefTask& task);
+    /// Of another state, by what holds in all states: nothing is known yet.
+    static InitialKnowledge of_invariants(const BeliefTask& task);
+    /// The same with what is known of a state, by variable.
+    InitialKnowledge with(std::vector<std::int32_t> values) const;
+    /// There is nothing to conclude from.
+    bool empty() const { return empty_; }
 
     /// By variable, or BeliefTask::kUnknown.
     std::int32_t value(std::int32_t variable) const { return values_[static_cast<std::size_t>(variable)]; }
@@ -33,6 +39,7 @@ class InitialKnowledge {
         std::int32_t value;
     };
 
+    InitialKnowledge(const BeliefTask& task, bool only_invariants, std::vector<std::int32_t> values);
     bool assign(Fact fact, std::vector<std::int32_t>& news);
     bool try_nearby(std::vector<std::int32_t>& news, std::size_t first);
     void collect_nearby(std::int32_t variable, std::vector<std::int32_t>& open) const;
@@ -50,6 +57,7 @@ class InitialKnowledge {
     std::shared_ptr<const Occurrences> occurrences_;
     std::vector<std::int32_t> values_;
     bool consistent_ = true;
+    bool empty_ = true;
 };
 
 }  // namespace praxis::belief

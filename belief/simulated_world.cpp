@@ -1,5 +1,6 @@
 #include "belief/simulated_world.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -45,10 +46,26 @@ void SimulatedWorld::apply(std::uint32_t action) {
     for (const GroundEffect& effect : task.effects[action])
         if (all_hold(task.conditions[effect.condition], before_.data()))
             state_[static_cast<std::size_t>(effect.fact.variable)] = effect.fact.value;
-    for (std::int32_t variable : task_->forgotten[action])
-        state_[static_cast<std::size_t>(variable)] = static_cast<std::int32_t>(random_.below(2));
+    forget(action);
     complete();
     happened_.push_back(action);
+    if (!task_->forgotten[action].empty()) after_chance_.push_back(state_);
+}
+
+void SimulatedWorld::forget(std::uint32_t action) {
+    const auto forgotten = task_->forgotten[action];
+    if (forgotten.empty()) return;
+    for (std::int32_t variable : forgotten)
+        state_[static_cast<std::size_t>(variable)] = static_cast<std::int32_t>(random_.below(2));
+    for (std::size_t c = 0; c < task_->choices.size(); ++c) {
+        const auto choice = task_->choices[c];
+        if (std::find(forgotten.begin(), forgotten.end(), choice.front().variable) == forgotten.end())
+            continue;
+        for (const Fact& fact : choice) state_[static_cast<std::size_t>(fact.variable)] = 1 - fact.value;
+        const Fact& chosen = choice[random_.below(choice.size())];
+        state_[static_cast<std::size_t>(chosen.variable)] = chosen.value;
+    }
+    for (const GroundDefinition& definition : task_->definitions) definition.settle(state_.data());
 }
 
 std::vector<Answer> SimulatedWorld::observe(std::uint32_t action, std::stop_token) {

@@ -36,10 +36,14 @@ class SimulatedWorld : public Environment {
     /// The actions that have truly happened, in order.
     const std::vector<std::uint32_t>& happened() const { return happened_; }
     std::size_t failed() const { return failed_; }  ///< how many actions failed
+    /// The states right after each of the actions that left something open, in order.
+    const std::vector<WorldState>& after_chance() const { return after_chance_; }
 
   private:
     void apply(std::uint32_t action);
     void complete();
+    /// Draws anew what the action leaves open.
+    void forget(std::uint32_t action);
     void answer(const GroundReading& reading, std::vector<Answer>& answers);
 
     std::shared_ptr<const BeliefTask> task_;
@@ -48,6 +52,7 @@ class SimulatedWorld : public Environment {
     WorldState state_;
     WorldState before_;
     std::vector<std::uint32_t> happened_;
+    std::vector<WorldState> after_chance_;
     std::size_t failed_ = 0;
     bool reads_ = true;  ///< the last action did not fail
     double noise_, failures_;

@@ -72,6 +72,8 @@ WorldState hidden_world(const BeliefTask& task, std::size_t i) {
         if (state[v] == BeliefTask::kUnknown)
             state[v] = false_value(*task.physical, static_cast<std::int32_t>(v));
     for (const Fact& fact : task.worlds[i]) state[index(fact.variable)] = fact.value;
+    for (const auto* definitions : {&task.first_definitions, &task.definitions})
+        for (const GroundDefinition& definition : *definitions) definition.settle(state.data());
     return state;
 }
 

@@ -70,8 +70,8 @@ struct Sensor {
 };
 
 /// One rule of a sensing model: where `condition` holds in the state after the action, the observable atom
-/// reads `value`. An observable boolean that no rule with `value` true supports reads false; of an observable
-/// with several values, exactly one reads true.
+/// reads `value`. An atom that no rule with `value` true supports reads false; where a model has no such rule
+/// for a predicate, its atoms read true unless a rule says that they read false.
 struct SensingRule {
     std::vector<std::uint32_t> variables;
     Formula condition;

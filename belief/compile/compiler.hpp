@@ -48,8 +48,8 @@ class Compiler {
     Fact possible(Fact fact);
     void find_changeable();
     /// The number of a clause or group as a variable of the compiled task, or kAlways if no action changes
-    /// anything in it.
-    std::size_t guard(std::span<const Fact> facts);
+    /// anything in it, or it holds in all states.
+    std::size_t guard(std::span<const Fact> facts, bool invariant);
     /// Which knowledge can be deduced, and which is needed as a derived variable.
     void collect_axioms();
     /// Why something is known: the facts of the condition are, and the clause still says something.

@@ -20,9 +20,9 @@ void Compiler::find_changeable() {
     for (const GroundSensor& sensor : belief_.sensors) readable_[index(sensor.reading.fact.variable)] = true;
 }
 
-std::size_t Compiler::guard(std::span<const Fact> facts) {
-    if (std::none_of(facts.begin(), facts.end(),
-                     [&](const Fact& fact) { return changeable_[index(fact.variable)]; }))
+std::size_t Compiler::guard(std::span<const Fact> facts, bool invariant) {
+    if (invariant || std::none_of(facts.begin(), facts.end(),
+                                  [&](const Fact& fact) { return changeable_[index(fact.variable)]; }))
         return kAlways;
     CompiledClause clause{-1, {}};
     for (const Fact& fact : facts) {
@@ -40,7 +40,7 @@ void Compiler::collect_axioms() {
     for (std::size_t c = 0; c < belief_.clauses.size(); ++c) {
         const auto clause = belief_.clauses[c];
         if (tracked(clause.front().variable)) continue;
-        const std::size_t while_open = guard(clause);
+        const std::size_t while_open = guard(clause, belief_.invariant_clauses[c]);
         for (const Fact& head : clause) {
             if (!uncertain(head.variable)) continue;
             if (clause.size() > kLongestClause && readable_[index(head.variable)]) continue;
@@ -57,7 +57,7 @@ void Compiler::collect_axioms() {
         if (std::none_of(group.begin(), group.end(),
                          [&](const Fact& fact) { return from_clauses[number(fact)]; }))
             continue;
-        const std::size_t while_open = guard(group);
+        const std::size_t while_open = guard(group, belief_.invariant_groups[g]);
         for (const Fact& holding : group)
             for (const Fact& other : group)
                 if (other != holding && uncertain(other.variable))

@@ -82,8 +82,10 @@ std::vector<GroundEffect> Compiler::knowledge_effects(std::size_t o) {
         for (const Fact& other : reason) sure.push_back(known(other));
         add_effect(result, {basic, fact.value}, std::move(sure));
     }
+    // Plans hope that what has cases stays as it is.
     for (std::int32_t variable : belief_.forgotten[o])
-        add_effect(result, {result_.variables_[index(variable)], Compilation::kNotKnown}, {});
+        if (!tracked(variable))
+            add_effect(result, {result_.variables_[index(variable)], Compilation::kNotKnown}, {});
     close_clauses(o, result);
     return result;
 }

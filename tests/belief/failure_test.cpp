@@ -233,7 +233,7 @@ TEST_P(Unreliable, SkillsReachTheGoal) {
         const RunResult run = agent.run(belief, world);
         EXPECT_EQ(run.status, RunStatus::reached) << seed << " " << run.message;
         EXPECT_TRUE(world.goal_holds());
-        EXPECT_TRUE(check_run(*task, first, world.happened()).valid);
+        EXPECT_TRUE(check_run(*task, first, world.happened(), world.after_chance()).valid);
     }
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "belief/environment.hpp"
+#include "belief/ground/observable_axioms.hpp"
+#include "belief/ground/observables.hpp"
 
 namespace praxis::belief::test {
 
@@ -13,16 +15,22 @@ using Tuple = praxis::test::NaiveSemantics::Tuple;
 
 NaiveBelief::NaiveBelief(const BeliefTask& task)
     : task_(task),
-      lifted_(*task.source->task),
+      lifted_(with_observable_axioms(*task.source)),
       semantics_(lifted_),
       literals_(task.physical->fact_count()),
       represented_(semantics_.atom_count(), false) {
     const FiniteDomainTask& physical = *task.physical;
     std::map<std::string, std::size_t> atoms, schemas, objects;
+    const Observables observables = find_observables(*task.source);
+    std::vector<bool> no_state(semantics_.atom_count(), false);
+    for (std::size_t p = 0; p < lifted_.predicates.size(); ++p)
+        for (std::size_t a = semantics_.first()[p]; a < semantics_.first()[p + 1]; ++a)
+            no_state[a] = observables.all[p] && !observables.asked[p];
     for (std::size_t a = 0; a < semantics_.atom_count(); ++a) atoms[semantics_.atom_name(a)] = a;
     for (std::size_t f = 0; f < literals_.size(); ++f) {
         const auto place = atoms.find(physical.fact_names.words(f));
-        if (place == atoms.end() || physical.fact_forms[f] == FiniteDomainTask::FactForm::none_of_those)
+        if (place == atoms.end() || physical.fact_forms[f] == FiniteDomainTask::FactForm::none_of_those ||
+            no_state[place->second])
             continue;
         literals_[f] = Literal{place->second, physical.fact_forms[f] == FiniteDomainTask::FactForm::atom};
         represented_[place->second] = true;
@@ -43,6 +51,9 @@ NaiveBelief::NaiveBelief(const BeliefTask& task)
     for (const GroundLiteral& literal : source.unknown) open.insert(atom(literal));
     for (const Clause& clause : source.clauses)
         for (const GroundLiteral& literal : clause.literals) open.insert(atom(literal));
+    for (const MultiValuedVariable& variable : source.variables)
+        if (!variable.observable && !decided(variable))
+            for (const GroundLiteral& value : variable.values) open.insert(atom(value));
     for (std::size_t p = 0; p < lifted_.predicates.size(); ++p)
         if (source.open_world[p])
             for (std::size_t a = semantics_.first()[p]; a < semantics_.first()[p + 1]; ++a) open.insert(a);
@@ -66,7 +77,41 @@ bool NaiveBelief::allowed(const State& state) const {
         if (clause.kind != ClauseKind::at_most_one && holding == 0) return false;
         if (clause.kind != ClauseKind::at_least_one && holding > 1) return false;
     }
+    for (const MultiValuedVariable& variable : task_.source->variables)
+        if (!variable.observable && variable.values.size() > 1 && values_holding(variable, state) != 1)
+            return false;
     return true;
+}
+
+bool NaiveBelief::decided(const MultiValuedVariable& variable) const {
+    return values_holding(variable, semantics_.initial()) > 0;
+}
+
+std::size_t NaiveBelief::values_holding(const MultiValuedVariable& variable, const State& state) const {
+    std::size_t holding = 0;
+    for (const GroundLiteral& value : variable.values) holding += state[atom(value)];
+    return holding;
+}
+
+std::set<NaiveBelief::State> NaiveBelief::opened(std::size_t open, State state) const {
+    std::set<State> result;
+    for (const MultiValuedVariable& variable : task_.source->variables) {
+        std::vector<std::size_t> values;
+        for (const GroundLiteral& value : variable.values) values.push_back(atom(value));
+        if (values.size() < 2 || std::find(values.begin(), values.end(), open) == values.end()) continue;
+        for (std::size_t chosen : values) {
+            for (std::size_t value : values) state[value] = value == chosen;
+            semantics_.close(state);
+            result.insert(state);
+        }
+        return result;
+    }
+    for (const bool value : {false, true}) {
+        state[open] = value;
+        semantics_.close(state);
+        result.insert(state);
+    }
+    return result;
 }
 
 std::vector<NaiveBelief::State> NaiveBelief::first_states() const {
@@ -117,12 +162,7 @@ std::vector<NaiveBelief::State> NaiveBelief::successors(std::uint32_t action, co
     for (const Effect& effect : task_.source->sensing[schema].forgotten)
         atoms(effect, description.scope, arguments, state, [&](std::size_t open) {
             std::set<State> more;
-            for (State next : result)
-                for (const bool value : {false, true}) {
-                    next[open] = value;
-                    semantics_.close(next);
-                    more.insert(next);
-                }
+            for (const State& next : result) more.merge(opened(open, next));
             result = std::move(more);
         });
     return {result.begin(), result.end()};
@@ -144,6 +184,31 @@ std::vector<NaiveBelief::Literal> NaiveBelief::readings(std::uint32_t action, co
             for (const Observation& observation : sensor.observations)
                 atoms(observation, sensor.scope, arguments, state, add);
         });
+    return {result.begin(), result.end()};
+}
+
+std::vector<NaiveBelief::Literal> NaiveBelief::model_readings(std::uint32_t action,
+                                                              const State& state) const {
+    if (action == Environment::kStart) return {};
+    const auto& [schema, arguments] = actions_[action];
+    const ContingentTask& source = *task_.source;
+    const bool own = source.sensing[schema].own_model;
+    const std::vector<SensingRule>& rules = own ? source.sensing[schema].model : source.default_model;
+    const Scope& scope = own ? lifted_.schemas[schema].scope : source.default_scope;
+    std::set<std::uint32_t> stated_true;
+    for (const SensingRule& rule : rules)
+        if (rule.value) stated_true.insert(rule.predicate.index());
+    std::map<std::size_t, bool> result;
+    for (const SensingRule& rule : rules) {
+        const bool positive = stated_true.contains(rule.predicate.index());
+        if (rule.value != positive) continue;
+        Formula always;
+        const SensingRule mention{rule.variables, always, true, rule.predicate, rule.terms, rule.where};
+        atoms(mention, scope, own ? arguments : Tuple{}, state,
+              [&](std::size_t atom) { result.try_emplace(atom, !positive); });
+        atoms(rule, scope, own ? arguments : Tuple{}, state,
+              [&](std::size_t atom) { result[atom] = positive; });
+    }
     return {result.begin(), result.end()};
 }
 

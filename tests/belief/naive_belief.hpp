@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,10 @@ class NaiveBelief {
     std::vector<Literal> readings(std::uint32_t action, const State& state) const;
     bool goal(const State& state) const { return semantics_.goal(state); }
 
-    /// What a fact of the physical task says; nothing for "none of those".
+    /// What sensing models show of observable atoms after an action.
+    std::vector<Literal> model_readings(std::uint32_t action, const State& state) const;
+
+    /// What a fact of the physical task says; nothing for "none of those" and what is no part of the state.
     std::optional<Literal> literal(Fact fact) const { return literals_[task_.physical->fact_number(fact)]; }
     /// Some fact of the physical task is about the atom.
     bool represented(std::size_t atom) const { return represented_[atom]; }
@@ -51,6 +55,10 @@ class NaiveBelief {
     GroundAction find(std::uint32_t action) const;
     std::size_t atom(const GroundLiteral& literal) const;
     bool allowed(const State& state) const;
+    bool decided(const MultiValuedVariable& variable) const;
+    std::size_t values_holding(const MultiValuedVariable& variable, const State& state) const;
+    /// The states in which the atom, or the whole multi-valued variable that it belongs to, is left open.
+    std::set<State> opened(std::size_t atom, State state) const;
     template <class Visit>
     void bindings(const std::vector<std::uint32_t>& variables, const Scope& scope,
                   praxis::test::NaiveSemantics::Tuple& values, std::size_t next, const Visit& visit) const;
@@ -61,7 +69,7 @@ class NaiveBelief {
                const Visit& visit) const;
 
     const BeliefTask& task_;
-    const LiftedTask& lifted_;
+    LiftedTask lifted_;  ///< observable atoms that conditions mention are derived
     praxis::test::NaiveSemantics semantics_;
     std::vector<std::optional<Literal>> literals_;  ///< by physical fact
     std::vector<bool> represented_;                 ///< by atom

@@ -22,10 +22,13 @@ class Author {
         Texts texts;
         texts.domain =
             "(define (domain d) (:types thing) (:constants x y z - thing)\n"
-            " (:predicates (a ?t - thing) (b) (c) (e) (d ?t - thing))\n";
+            " (:predicates (a ?t - thing) (b) (c) (e) (d ?t - thing)" +
+            std::string(constructs_.models ? " (m ?t - thing) (next ?t ?u - thing) (o) (s ?t - thing)" : "") +
+            ")\n";
         if (constructs_.uncertain && chance(10)) texts.domain += " (:open-world c)\n";
         if (constructs_.derived)
             texts.domain += " (:derived (d ?t - thing) " + conjunction("?t", 1, 2, false) + ")\n";
+        if (constructs_.models) texts.domain += models();
         const std::size_t actions = 2 + random_.below(4);
         for (std::size_t i = 0; i < actions; ++i) texts.domain += action(i);
         const std::size_t looks = 1 + random_.below(3);
@@ -113,8 +116,54 @@ class Author {
         return text + ")\n";
     }
 
+    /// A variable of three values that is moved, left open and shown; atoms that models show.
+    std::string models() {
+        std::string text =
+            " (:variable place (forall (?t - thing) (m ?t)))\n (:obs-variable light (o))\n"
+            " (:obs-variable (sound ?t - thing) (s ?t))\n"
+            " (:action step :parameters (?t ?u - thing) :precondition (and (m ?t) (next ?t ?u))"
+            " :effect (and (not (m ?t)) (m ?u)))\n"
+            " (:action roll :parameters () :effect (forall (?t ?u - thing)"
+            " (when (and (m ?t) (next ?t ?u)" +
+            std::string(chance(50) ? " (b)" : "") + ") (and (not (m ?t)) (m ?u)))))\n";
+        if (constructs_.forgetting)
+            text += " (:action lose :parameters () :effect (unknown (m " + term(false) + ")))\n";
+        if (chance(70)) {
+            text += " (:default-sensing-model (and " + rule("(o)", "x") + " " + rule("(o)", "y") + "))\n";
+            if (chance(60))
+                text += " (:action use :parameters () :precondition " +
+                        std::string(chance(50) ? "(o)" : "(not (o))") + " :effect " + literal("x", false) +
+                        ")\n";
+        }
+        text += " (:action listen :parameters (?t - thing) :precondition " + conjunction("?t", 0, 1, false) +
+                " :sensing-model (and " + rule(chance(70) ? "(s ?t)" : "(not (s ?t))", "?t");
+        if (chance(50)) text += " (forall (?u - thing) " + rule("(s ?u)", "?u") + ")";
+        if (chance(20)) text += " (m ?t)";
+        return text + "))\n";
+    }
+    std::string rule(const std::string& head, const std::string& term) {
+        return "(when " + model_condition(term, 2) + " " + head + ")";
+    }
+    std::string model_condition(const std::string& term, std::size_t depth) {
+        if (depth == 0 || chance(30)) {
+            const std::string atom = chance(40) ? "(m " + term + ")" : this->atom(term, false);
+            return chance(30) ? "(not " + atom + ")" : atom;
+        }
+        if (chance(15))
+            return "(exists (?v - thing) (and (next ?v " + term + ") " + model_condition("?v", 0) + "))";
+        return std::string(chance(50) ? "(and " : "(or ") + model_condition(term, depth - 1) + " " +
+               model_condition(term, depth - 1) + ")";
+    }
+
     std::string initial() {
         std::string text;
+        if (constructs_.models) {
+            text = " (next x y) (next y z) (next z x)";
+            if (chance(30))
+                text += " (m " + term(false) + ")";
+            else if (chance(30))
+                text += " (not (m " + term(false) + "))";
+        }
         for (const char* atom : kAtoms) {
             const std::string name = atom;
             const std::size_t kind = random_.below(10);

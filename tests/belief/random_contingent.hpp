@@ -16,6 +16,7 @@ struct Constructs {
     bool conditional = true;         ///< `when`
     bool derived_in_effects = true;  ///< derived atoms in the conditions of effects
     bool sensors = true;             ///< passive sensors
+    bool models = false;             ///< multi-valued variables, observable atoms and sensing models
 };
 
 /// The same seed gives the same task. Many have no first state, or no plan.

@@ -63,7 +63,7 @@ TEST_P(OwnBeliefProblem, IsSolvedInSampledWorlds) {
         SimulatedWorld world(task, *first, 0, i);
         const RunResult result = agent.run(belief, world);
         EXPECT_EQ(result.status, RunStatus::reached) << "world " << i << ": " << result.message;
-        const Verdict verdict = check_run(*task, *first, result.actions);
+        const Verdict verdict = check_run(*task, *first, result.actions, world.after_chance());
         EXPECT_TRUE(verdict.valid) << "world " << i << ": " << verdict.reason;
     }
 }
