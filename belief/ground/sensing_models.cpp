@@ -6,10 +6,6 @@
 namespace praxis::belief {
 namespace {
 
-std::size_t index(std::int32_t variable) {
-    return static_cast<std::size_t>(variable);
-}
-
 Fact opposite(Fact fact) {
     return {fact.variable, 1 - fact.value};
 }
