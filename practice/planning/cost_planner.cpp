@@ -42,7 +42,7 @@ std::vector<Cost> least_costs(std::span<const Cost> costs, std::span<const Impro
 }  // namespace
 
 CostPlanner::CostPlanner(const SkillTask& skills, const CostPlannerOptions& options)
-    : skills_(&skills), options_(options), graph_(skills, options.most_states) {
+    : skills_(&skills), options_(options), graph_(skills, options.most_states), projections_(graph_) {
     if (options.threads < 1) throw std::invalid_argument("a planner needs at least one thread");
     configuration(options.search);
     for (int thread = 0; thread < options.threads; ++thread) scratch_.emplace_back(graph_);
@@ -116,8 +116,8 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
         if (!graph_.reach(situations[i].values, start[i]))
             return search_costs(situations, costs, improvements);
     }
-    const std::vector<Task> tasks = distinct(situations, start);
     const std::vector<Cost> least = least_costs(costs, improvements);
+    const std::vector<Task> tasks = distinct(situations, start, least);
     const std::size_t edges = tasks.size() * improvements.size() * graph_.edge_count();
     const int threads = edges > kWorthAThread ? options_.threads : 1;
     // One row a task, so that the sum does not depend on the threads.
@@ -140,7 +140,8 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
 }
 
 std::vector<CostPlanner::Task> CostPlanner::distinct(std::span<const Situation> situations,
-                                                     std::span<const NodeIndex> nodes) {
+                                                     std::span<const NodeIndex> nodes,
+                                                     std::span<const Cost> least) {
     std::vector<Task> tasks;
     for (std::size_t i = 0; i < situations.size(); ++i) {
         const GoalTable* goal = &table(situations[i].goal);
@@ -149,7 +150,7 @@ std::vector<CostPlanner::Task> CostPlanner::distinct(std::span<const Situation> 
         if (same != tasks.end())
             same->weight += 1;
         else
-            tasks.push_back({nodes[i], goal, 1});
+            tasks.push_back({nodes[i], goal, GoalBound(skills_->task(), projections_, goal->goal, least), 1});
     }
     return tasks;
 }
@@ -160,7 +161,7 @@ bool CostPlanner::weigh(Scratch& scratch, const Task& task, const Question& ques
     std::vector<SkillIndex> plan;
     Cost plan_cost = 0;
     if (!scratch.paths.way(task.from, task.goal->nodes, costs, plan, plan_cost)) return false;
-    scratch.improved.begin(task.from, task.goal->nodes, costs, least, plan, plan_cost);
+    scratch.improved.begin(task.from, task.goal->nodes, costs, least, task.bound, plan, plan_cost);
     for (std::size_t i = 0; i < improvements.size(); ++i) {
         const auto [skill, cost] = improvements[i];
         Cost improved = plan_cost;

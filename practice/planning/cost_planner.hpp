@@ -66,6 +66,7 @@ class CostPlanner {
     struct Task {
         NodeIndex from;
         const GoalTable* goal;
+        GoalBound bound;
         double weight;  ///< how many there are
     };
     struct Question {
@@ -75,7 +76,8 @@ class CostPlanner {
     };
     /// What the plan of a task costs in nats, times its weight, by improvement. False: there is no plan.
     static bool weigh(Scratch& scratch, const Task& task, const Question& question, std::span<double> result);
-    std::vector<Task> distinct(std::span<const Situation> situations, std::span<const NodeIndex> nodes);
+    std::vector<Task> distinct(std::span<const Situation> situations, std::span<const NodeIndex> nodes,
+                               std::span<const Cost> least);
     GoalTable& table(const std::vector<Fact>& goal);
     void update(GoalTable& table, std::span<const Cost> costs);
     std::optional<SkillPlan> descend(const GoalTable& table, NodeIndex node,
@@ -87,6 +89,7 @@ class CostPlanner {
     const SkillTask* skills_;
     CostPlannerOptions options_;
     StateGraph graph_;
+    Projections projections_;
     std::vector<Scratch> scratch_;  // by thread
     std::vector<std::unique_ptr<GoalTable>> tables_;
 };
