@@ -24,6 +24,7 @@ struct CostPlanner::Space {
     }
     std::vector<unsigned char> relevant;  // by variable
     StateGraph graph;
+    Projections projections{graph};
     std::vector<Scratch> scratch;  // by thread
 };
 
@@ -166,15 +167,16 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
         if (same != tasks.end())
             same->weight += 1;
         else
-            tasks.push_back({node, &goal, 1});
+            tasks.push_back({node, &goal, 1, {}});
     }
     // Later situations may have made a graph larger.
+    const std::vector<Cost> least = least_costs(costs, improvements);
     std::size_t edges = 0;
-    for (const Task& task : tasks) {
+    for (Task& task : tasks) {
         refresh(*task.goal);
+        task.bound = GoalBound(skills_->task(), task.goal->space->projections, task.goal->goal, least);
         edges += improvements.size() * task.goal->space->graph.edge_count();
     }
-    const std::vector<Cost> least = least_costs(costs, improvements);
     const int threads = edges > kWorthAThread ? options_.threads : 1;
     // One row a task, so that the sum does not depend on the threads.
     const std::size_t width = improvements.size();
@@ -201,7 +203,7 @@ bool CostPlanner::weigh(Scratch& scratch, const Task& task, const Question& ques
     std::vector<SkillIndex> plan;
     Cost plan_cost = 0;
     if (!scratch.paths.way(task.from, task.goal->nodes, costs, plan, plan_cost)) return false;
-    scratch.improved.begin(task.from, task.goal->nodes, costs, least, plan, plan_cost);
+    scratch.improved.begin(task.from, task.goal->nodes, costs, least, task.bound, plan, plan_cost);
     for (std::size_t i = 0; i < improvements.size(); ++i) {
         const auto [skill, cost] = improvements[i];
         Cost improved = plan_cost;

@@ -68,6 +68,7 @@ class CostPlanner {
         NodeIndex from;
         GoalTable* goal;
         double weight;  ///< how many there are
+        GoalBound bound = {};
     };
     struct Question {
         std::span<const Cost> costs;

@@ -5,16 +5,18 @@
 namespace praxis::practice {
 
 void ImprovedPaths::begin(NodeIndex from, std::span<const NodeIndex> goals, std::span<const Cost> costs,
-                          std::span<const Cost> least, std::span<const SkillIndex> plan, Cost plan_cost) {
+                          std::span<const Cost> least, const GoalBound& bound,
+                          std::span<const SkillIndex> plan, Cost plan_cost) {
     from_ = from;
     costs_ = costs;
     plan_ = plan;
     plan_cost_ = plan_cost;
-    search_before(goals, least);
+    search_before(goals, least, bound);
     search_after(least);
 }
 
-void ImprovedPaths::search_before(std::span<const NodeIndex> goals, std::span<const Cost> least) {
+void ImprovedPaths::search_before(std::span<const NodeIndex> goals, std::span<const Cost> least,
+                                  const GoalBound& bound) {
     goals_.reset(graph_->size());
     for (const NodeIndex goal : goals) goals_.set(goal, 0);
     goals_met_.clear();
@@ -31,7 +33,11 @@ void ImprovedPaths::search_before(std::span<const NodeIndex> goals, std::span<co
         }
         for (const StateGraph::Edge& edge : graph_->forward(node)) {
             const Cost further = cost + least[edge.skill];
-            if (further < plan_cost_ && before_.lower(edge.node, further)) queue_.push(further, edge.node);
+            if (further >= before_[edge.node] || further >= plan_cost_ ||
+                bound(edge.node) >= plan_cost_ - further)
+                continue;
+            before_.set(edge.node, further);
+            queue_.push(further, edge.node);
         }
     }
 }

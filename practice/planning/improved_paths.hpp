@@ -6,6 +6,8 @@
 //     before(n)   what leads from the state to n costs at least, if all skills improve together
 //     after(n)    what leads from n to the goal costs now; only where before(n) + after(n) < D
 //
+// The first search leaves out nodes from where a `GoalBound` says that the goal is too far.
+//
 // For one improvement, the nodes that come nearer to the goal are looked at, the nearest first (after
 // Ramalingam and Reps 1996), and of those only the ones with before + (new distance) below the best plan yet.
 #pragma once
@@ -14,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "practice/planning/node_costs.hpp"
+#include "practice/planning/goal_bound.hpp"
 
 namespace praxis::practice {
 
@@ -30,10 +32,11 @@ class ImprovedPaths {
     explicit ImprovedPaths(const StateGraph& graph) : graph_(&graph) {}
 
     /// Begins with a state, its goal, and its cheapest plan now; `costs` by skill. `least`: by skill, the
-    /// lowest cost that `cost` will be asked for, at most the present one. The spans must outlive the calls
-    /// of `cost`.
+    /// lowest cost that `cost` will be asked for, at most the present one; `bound` is for those costs. The
+    /// spans must outlive the calls of `cost`.
     void begin(NodeIndex from, std::span<const NodeIndex> goals, std::span<const Cost> costs,
-               std::span<const Cost> least, std::span<const SkillIndex> plan, Cost plan_cost);
+               std::span<const Cost> least, const GoalBound& bound, std::span<const SkillIndex> plan,
+               Cost plan_cost);
     /// The cost of the cheapest plan if one skill improves; no dearer than it is now.
     Cost cost(const Improvement& improvement);
 
@@ -43,7 +46,7 @@ class ImprovedPaths {
         NodeIndex from, to;
         std::int32_t next;  // of the same skill, in `chances_`; -1: none
     };
-    void search_before(std::span<const NodeIndex> goals, std::span<const Cost> least);
+    void search_before(std::span<const NodeIndex> goals, std::span<const Cost> least, const GoalBound& bound);
     void search_after(std::span<const Cost> least);
 
     const StateGraph* graph_;

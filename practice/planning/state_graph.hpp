@@ -54,6 +54,11 @@ class StateGraph {
     std::span<const Arc> arcs(SkillIndex skill) const {
         return {arcs_.data() + first_arc_[skill], arcs_.data() + first_arc_[skill + 1]};
     }
+    const FiniteDomainTask& task() const { return skills_->task(); }
+    /// Of a variable that is not derived.
+    std::int32_t value(NodeIndex node, std::int32_t variable) const {
+        return parts_->packer.get(registry_.words(StateId(node)), variable);
+    }
     /// The nodes where all facts hold.
     std::vector<NodeIndex> where(std::span<const Fact> facts) const;
 

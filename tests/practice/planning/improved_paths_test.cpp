@@ -27,9 +27,13 @@ struct LampGraph {
         paths.way(from, goals, costs, plan, cost);
         return cost;
     }
+    GoalBound bound(const std::vector<Cost>& costs) {
+        return {skills.task(), projections, skills.goal(std::vector<GroundAtom>{{2, {}}}), costs};
+    }
     Lamps environment;
     SkillTask skills;
     StateGraph graph;
+    Projections projections{graph};
     NodeIndex dark = 0;
     std::vector<NodeIndex> goals;
 };
@@ -69,7 +73,7 @@ RC_GTEST_PROP(ImprovedPaths, agree_with_planning_anew, ()) {
         std::vector<SkillIndex> plan;
         const Cost now = lamps.cheapest(from, costs, plan);
         if (now == kNoPlan) continue;
-        improved.begin(from, lamps.goals, costs, least, plan, now);
+        improved.begin(from, lamps.goals, costs, least, lamps.bound(least), plan, now);
         for (const Improvement& improvement : improvements) {
             std::vector<Cost> changed = costs;
             changed[improvement.skill] = improvement.cost;
@@ -91,7 +95,7 @@ TEST(ImprovedPaths, CountASkillAsOftenAsThePlanUsesIt) {
     std::vector<Cost> least = costs;
     least[shift] = 2;
     least[toggle] = 1;
-    improved.begin(lamps.dark, lamps.goals, costs, least, plan, now);
+    improved.begin(lamps.dark, lamps.goals, costs, least, lamps.bound(least), plan, now);
     EXPECT_EQ(improved.cost({shift, 2}), 8);
     EXPECT_EQ(improved.cost({shift, 9}), 36);
     EXPECT_EQ(improved.cost({toggle, 1}), 28);  // once, then three shifts
@@ -102,7 +106,7 @@ TEST(ImprovedPaths, WhereTheGoalHoldsNothingCostsAnything) {
     LampGraph lamps(2);
     const std::vector<Cost> costs(lamps.skills.size(), 10), least(lamps.skills.size(), 1);
     ImprovedPaths improved(lamps.graph);
-    improved.begin(lamps.goals[0], lamps.goals, costs, least, {}, 0);
+    improved.begin(lamps.goals[0], lamps.goals, costs, least, lamps.bound(least), {}, 0);
     for (SkillIndex skill = 0; skill < lamps.skills.size(); ++skill) EXPECT_EQ(improved.cost({skill, 1}), 0);
 }
 

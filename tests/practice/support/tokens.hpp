@@ -17,7 +17,7 @@ class Tokens : public SimulatedEnvironment {
   public:
     using Edges = std::vector<std::pair<int, int>>;
 
-    Tokens(int tokens, int places, const Edges& edges) : tokens_(tokens), places_(places) {
+    Tokens(int tokens, int places, const Edges& edges) : tokens_(tokens) {
         description_.name = "tokens";
         description_.domain =
             R"((define (domain tokens) (:requirements :strips :typing :negative-preconditions)
@@ -83,7 +83,7 @@ class Tokens : public SimulatedEnvironment {
     }
 
   private:
-    int tokens_, places_;
+    int tokens_;
     Description description_;
 };
 
