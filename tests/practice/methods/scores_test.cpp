@@ -58,7 +58,7 @@ TEST(Scores, OfEesLeaveOutWhatBringsNoGain) {
     PracticeOptions options = by_hand("ees");
     auto all = scores(options, chosen);
     ASSERT_EQ(all.size(), 1u);
-    EXPECT_NEAR(all[kMark].score, bonus(4) - all[kMark].cost, 1e-12);
+    EXPECT_NEAR(all[kMark].score, 0.3 * bonus(4) - all[kMark].cost, 1e-12);
     EXPECT_EQ(chosen, kMark);
     options.competence.bonus = 0;
     EXPECT_EQ(scores(options, chosen)[kMark].score, kNever);
