@@ -8,7 +8,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 plan_packages=(g++ cmake ninja-build ccache libboost-dev libcli11-dev nlohmann-json3-dev)
-test_packages=(libgtest-dev librapidcheck-dev libssl-dev libpng-dev)
+tamp_packages=(libeigen3-dev libfcl-dev liboctomap-dev libompl-dev liburdfdom-dev libassimp-dev libtinyxml2-dev
+               libyaml-cpp-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev)
+test_packages=(libgtest-dev librapidcheck-dev libssl-dev libpng-dev liborocos-kdl-dev)
 other_packages=(clang libclang-rt-14-dev libbenchmark-dev python3)
 
 mode=plan
@@ -24,7 +26,7 @@ for argument in "$@"; do
 done
 
 packages=("${plan_packages[@]}")
-if [ $mode = test ] || $all; then packages+=("${test_packages[@]}"); fi
+if [ $mode = test ] || $all; then packages+=("${test_packages[@]}" "${tamp_packages[@]}"); fi
 if $all; then packages+=("${other_packages[@]}"); fi
 
 install_packages() {
