@@ -1,0 +1,12 @@
+#include "tamp/collision/lanes_portable.hpp"
+// Lanes first: the template is over it.
+#include "tamp/collision/kernel_template.hpp"
+
+namespace praxis::tamp::kernel {
+
+const Functions& portable_functions() {
+    static constexpr Functions table = {"portable", collisions, motion_free, swept_collisions};
+    return table;
+}
+
+}  // namespace praxis::tamp::kernel
