@@ -102,7 +102,26 @@ struct Functions {
     /// that is not set is a proof.
     unsigned (*swept_collisions)(const Model& model, const float* from, const float* change, const float* t,
                                  const float* width, const float* speeds, float* scratch);
+
+    /// Place of the point that is nearest to `query` (the first of those), and the square of its distance. Points come
+    /// in blocks of eight, aligned to 32 bytes: eight numbers of the first coordinate, eight of the second, and so on.
+    /// Coordinates with a period (above 0) are compared modulo it; `periods` may be null.
+    int (*nearest)(const float* blocks, int block_count, int dimension, const float* query, const float* periods,
+                   float* squared);
 };
+
+/// Rakes are looked at in the order i = 0, 1, ..., so that neighbours come late: which one at the i-th turn (-1:
+/// none), of `rake_turns` turns. Static, so that every translation unit has its own.
+static inline int rake_turns(int rakes) {
+    int turns = 1;
+    while (turns < rakes) turns *= 2;
+    return turns;
+}
+static inline int rake_at(int i, int rakes) {
+    int mirrored = 0;
+    for (int bit = 1; bit < rakes; bit *= 2) mirrored = 2 * mirrored + ((i & bit) != 0 ? 1 : 0);
+    return mirrored < rakes ? rakes - 1 - mirrored : -1;
+}
 
 /// The best functions that this processor can run.
 const Functions& functions();

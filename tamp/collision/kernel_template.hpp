@@ -344,13 +344,9 @@ bool motion_free(const Model& model, const float* from, const float* change, int
     alignas(32) float places[kLanes];
     const int first = with_start ? 0 : 1;
     const float step = 1.0F / static_cast<float>(kLanes * rakes - 1 + first);
-    int order = 1;
-    while (order < rakes) order *= 2;
-    for (int i = 0; i < order; ++i) {
-        int mirrored = 0;
-        for (int bit = 1; bit < order; bit *= 2) mirrored = 2 * mirrored + ((i & bit) != 0 ? 1 : 0);
-        if (mirrored >= rakes) continue;
-        const int rake = rakes - 1 - mirrored;
+    for (int i = 0, turns = rake_turns(rakes); i < turns; ++i) {
+        const int rake = rake_at(i, rakes);
+        if (rake < 0) continue;
         for (int lane = 0; lane < kLanes; ++lane) {
             places[lane] = static_cast<float>(lane * rakes + rake + first) * step;
         }

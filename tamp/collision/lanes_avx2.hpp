@@ -48,6 +48,10 @@ inline Lanes truncated(const Lanes& a) {
 inline unsigned not_greater(const Lanes& a, const Lanes& b) {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_NGT_UQ)));
 }
+/// In every lane: x where a < b, else y.
+inline Lanes where_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
+    return _mm256_blendv_ps(y.v, x.v, _mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ));
+}
 /// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has bit 1.
 inline Lanes by_quadrant(const Lanes& quadrant, int turn, const Lanes& even, const Lanes& odd) {
     const __m256i q = _mm256_cvtps_epi32(quadrant.v);

@@ -76,6 +76,12 @@ inline unsigned not_greater(const Lanes& a, const Lanes& b) {
     for (int i = 0; i < 8; ++i) mask |= (a.v[i] > b.v[i] ? 0U : 1U) << i;
     return mask;
 }
+/// In every lane: x where a < b, else y.
+inline Lanes where_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
+    Lanes c;
+    for (int i = 0; i < 8; ++i) c.v[i] = a.v[i] < b.v[i] ? x.v[i] : y.v[i];
+    return c;
+}
 /// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has bit 1.
 inline Lanes by_quadrant(const Lanes& quadrant, int turn, const Lanes& even, const Lanes& odd) {
     Lanes c;
