@@ -39,8 +39,8 @@ std::string difference(const std::optional<PairedComparison>& solved) {
     const IntervalEstimate& points = solved->difference;
     const std::string value = (points.value > 0 ? "+" : "") + per_cent(points.value);
     if (points.count < 2) return value;
-    return with_interval(value, points.low, points.high, per_cent) + ", " + std::to_string(solved->wins) +
-           " : " + std::to_string(solved->losses);
+    const std::string seeds = std::to_string(solved->wins) + " : " + std::to_string(solved->losses);
+    return with_interval(value + ", " + seeds, points.low, points.high, per_cent);
 }
 
 std::string practice_ratio_text(const PracticeRatio& ratio) {
