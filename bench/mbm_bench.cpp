@@ -5,18 +5,17 @@
 //
 // FOLDER holds panda_spheres.urdf and folders of scene*.yaml and request*.yaml. SEEDS (10): runs of every problem;
 // EVERY (1): only each EVERY-th problem.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
-#include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
-#include "parser/source.hpp"
+#include "parser/files.hpp"
 #include "tamp/collision/fast_checker.hpp"
 #include "tamp/collision/fcl_checker.hpp"
 #include "tamp/motion/planner.hpp"
@@ -48,8 +47,8 @@ std::vector<Problem> read_problems(const std::filesystem::path& folder, std::siz
     for (std::size_t i = 0; i < scenes.size(); i += every) {
         const std::string request = "request" + scenes[i].filename().string().substr(5);
         MoveItProblem moveit =
-            read_moveit_problem(robot, praxis::Source::read(scenes[i].string()),
-                                praxis::Source::read((scenes[i].parent_path() / request).string()));
+            read_moveit_problem(robot, praxis::read_source(scenes[i].string()),
+                                praxis::read_source((scenes[i].parent_path() / request).string()));
         const CollisionProblem collision = {moveit.robot, moveit.world, moveit.group, moveit.start};
         Problem problem = {scenes[i].parent_path().filename().string(), moveit, make_fast_checker(collision),
                            make_fcl_checker(collision), {}};
@@ -71,16 +70,17 @@ struct Tally {
     int refused = 0;
     double length = 0;
 
-    std::string row(const std::string& name) {
+    void print(const std::string& name) {
         std::ranges::sort(times);
         const auto at = [&](double part) {
+            if (times.empty()) return 0.0;
             return times[std::min(times.size() - 1, static_cast<std::size_t>(part * static_cast<double>(times.size())))];
         };
-        double sum = 0;
-        for (double time : times) sum += time;
-        const double count = static_cast<double>(times.size());
-        return fmt::format("| {:22} | {:4}/{:4} | {:7.1f} | {:7.1f} | {:7.1f} | {:6.2f} | {:4} |", name, times.size(), runs,
-                           at(0.5), sum / count, at(0.95), length / count, refused);
+        const double count = std::max(1.0, static_cast<double>(times.size()));
+        const double sum = std::accumulate(times.begin(), times.end(), 0.0);
+        std::printf("| %-22s | %4zu/%4d | %7.1f | %7.1f | %7.1f | %6.2f | %4d |\n", name.c_str(), times.size(), runs,
+                    at(0.5), sum / count, at(0.95), length / count, refused);
+        std::fflush(stdout);
     }
 };
 
@@ -124,8 +124,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10;
-    const std::size_t every = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-    std::vector<Problem> problems = read_problems(argv[1], std::max<std::size_t>(1, every));
+    const std::size_t every = argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 1;
+    std::vector<Problem> problems = read_problems(argv[1], every);
     std::erase_if(problems, [](Problem& problem) {
         return !problem.exact->is_free(problem.start) || !problem.exact->is_free(problem.moveit.goals.front());
     });
@@ -137,6 +137,6 @@ int main(int argc, char** argv) {
         for (std::uint64_t seed = 0; seed < seeds; ++seed) {
             for (Problem& problem : problems) measure(problem, mode, seed, all);
         }
-        std::cout << all.row(mode.name) << std::endl;
+        all.print(mode.name);
     }
 }
