@@ -81,8 +81,11 @@ void check_size(const VoxelGrid& grid, std::size_t cells) {
 
 }  // namespace
 
-DistanceGrid::DistanceGrid(const VoxelSet& voxels) : grid_(voxels.grid) {
+DistanceGrid::DistanceGrid(const VoxelSet& voxels, double reach)
+    : grid_(voxels.grid), reach_(static_cast<float>(reach)) {
     check_size(grid_, voxels.filled.size());
+    if (!(reach > 0)) throw std::invalid_argument("the reach of a distance grid must be above 0");
+    squared_reach_ = static_cast<float>(std::min(reach * reach / (grid_.edge * grid_.edge), 1e9));
     by_x_.resize(grid_.size());
     by_xy_.resize(grid_.size());
     distances_.resize(grid_.size());
@@ -123,7 +126,7 @@ void DistanceGrid::along_x(std::span<const std::uint8_t> filled, const CellBox& 
             for (std::size_t i = length; i-- > 0;) {
                 away = in[i] != 0 ? 0 : away + 1;
                 const float nearer = std::max(std::min(away, out[i]) - 1, 0.0F);
-                out[i] = nearer < kFar ? nearer * nearer : kInfinite;
+                out[i] = nearer < kFar && nearer * nearer <= squared_reach_ ? nearer * nearer : kInfinite;
             }
         }
     }
@@ -140,11 +143,10 @@ void DistanceGrid::along_y(const CellBox& lines, std::vector<std::uint8_t>* chan
             for (std::size_t j = 0; j < length; ++j) line.values[j] = in[j * width + i];
             line.transform();
             for (std::size_t j = 0; j < length; ++j) {
+                const float result = line.results[j] <= squared_reach_ ? line.results[j] : kInfinite;
                 float& old = out[j * width + i];
-                if (changed_columns != nullptr && old != line.results[j]) {
-                    (*changed_columns)[j * width + i] = 1;
-                }
-                old = line.results[j];
+                if (changed_columns != nullptr && old != result) (*changed_columns)[j * width + i] = 1;
+                old = result;
             }
         }
     }
@@ -168,7 +170,7 @@ void DistanceGrid::along_z(std::span<const std::uint8_t> columns) {
             line.transform();
             for (std::size_t k = 0; k < length; ++k) block[k * kLanes + lane] = line.results[k];
         }
-        for (float& value : block) value = edge * std::sqrt(value);
+        for (float& value : block) value = std::min(edge * std::sqrt(value), reach_);
         for (std::size_t k = 0; k < length; ++k) {
             std::copy_n(&block[k * kLanes], lanes, &distances_[k * plane + first]);
         }

@@ -9,7 +9,7 @@
 // other. So a distance transform of the filled cells, each spread by one cell in all directions, is exact:
 // Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions" (2012), one axis after the other.
 // The result of each axis is kept (12 bytes a cell in all), and a change runs again only the lines that it
-// reaches.
+// reaches: fewer of them if distances are cut off at what somebody asks for (the largest ball, say).
 #pragma once
 
 #include <limits>
@@ -22,13 +22,14 @@ namespace praxis::tamp {
 
 class DistanceGrid {
   public:
-    /// Of a grid without filled cells: infinite everywhere.
+    /// Where no cell is filled (and no reach given).
     static constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
     DistanceGrid() = default;
-    /// Throws std::invalid_argument if the set has another number of cells than its grid, a side of more than
-    /// 1024 cells, or none.
-    explicit DistanceGrid(const VoxelSet& voxels);
+    /// No number will be larger than `reach` metres. Throws std::invalid_argument if the set has another
+    /// number of cells than its grid, a side of more than 1024 cells or none, or if an edge or reach is not
+    /// above 0.
+    explicit DistanceGrid(const VoxelSet& voxels, double reach = std::numeric_limits<double>::infinity());
 
     const VoxelGrid& grid() const { return grid_; }
     /// Metres, by index; rounded down.
@@ -44,8 +45,10 @@ class DistanceGrid {
     void along_z(std::span<const std::uint8_t> columns);
 
     VoxelGrid grid_;
-    std::vector<float> by_x_;   ///< squared distances in cells, along x only
-    std::vector<float> by_xy_;  ///< in planes of equal z
+    float reach_ = kInfinite;          ///< metres
+    float squared_reach_ = kInfinite;  ///< in cells; what lies beyond counts as infinite
+    std::vector<float> by_x_;          ///< squared distances in cells, along x only
+    std::vector<float> by_xy_;         ///< in planes of equal z
     std::vector<float> distances_;
 };
 

@@ -62,10 +62,21 @@ RC_GTEST_PROP(DistanceGrid, IsTheGapBetweenCells, (std::uint64_t seed)) {
     RC_ASSERT(nearly_below(DistanceGrid(voxels).distances(), by_comparing_all(voxels)));
 }
 
+RC_GTEST_PROP(DistanceGrid, AReachCutsOffWhatIsFarther, (std::uint64_t seed)) {
+    Random random(seed);
+    const VoxelSet voxels = random_voxels(random);
+    const double reach = 0.01 + 0.05 * static_cast<double>(random.below(8));
+    std::vector<double> expected = by_comparing_all(voxels);
+    for (double& distance : expected)
+        distance = std::min(distance, static_cast<double>(static_cast<float>(reach)));
+    RC_ASSERT(nearly_below(DistanceGrid(voxels, reach).distances(), expected));
+}
+
 RC_GTEST_PROP(DistanceGrid, UpdatesEqualBuildingAnew, (std::uint64_t seed)) {
     Random random(seed);
     VoxelSet voxels = random_voxels(random);
-    DistanceGrid grid(voxels);
+    const double reach = random.below(2) == 0 ? std::numeric_limits<double>::infinity() : 0.12;
+    DistanceGrid grid(voxels, reach);
     CellBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto side = static_cast<std::size_t>(voxels.grid.cells[axis]);
@@ -81,7 +92,7 @@ RC_GTEST_PROP(DistanceGrid, UpdatesEqualBuildingAnew, (std::uint64_t seed)) {
         }
     }
     grid.update(voxels.filled, box);
-    RC_ASSERT(std::ranges::equal(grid.distances(), DistanceGrid(voxels).distances()));
+    RC_ASSERT(std::ranges::equal(grid.distances(), DistanceGrid(voxels, reach).distances()));
 }
 
 TEST(DistanceGrid, WithoutFilledCellsAllIsFar) {
@@ -93,6 +104,7 @@ TEST(DistanceGrid, WrongUseIsRefused) {
     const VoxelGrid cube = {.edge = 1, .cells = {2, 2, 2}};
     EXPECT_THROW(DistanceGrid(VoxelSet{cube, std::vector<std::uint8_t>(7, 0)}), std::invalid_argument);
     EXPECT_THROW(DistanceGrid(VoxelSet{{.edge = 1, .cells = {0, 1, 1}}, {}}), std::invalid_argument);
+    EXPECT_THROW(DistanceGrid(VoxelSet{cube, std::vector<std::uint8_t>(8, 0)}, 0), std::invalid_argument);
     EXPECT_THROW(DistanceGrid(VoxelSet{{.edge = 0, .cells = {1, 1, 1}}, {0}}), std::invalid_argument);
     const std::vector<std::uint8_t> none(8, 0);
     DistanceGrid grid(VoxelSet{cube, none});
