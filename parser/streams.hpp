@@ -27,10 +27,11 @@ struct LiftedAtom {
 
 struct StreamSchema {
     std::string name;
-    Scope scope;                        ///< the inputs (`parameter_count`), then the outputs
-    std::vector<LiftedAtom> domain;     ///< all must hold of the inputs
-    std::vector<LiftedAtom> certified;  ///< of inputs and outputs
-    std::vector<PredicateId> fluents;   ///< the call gets the atoms of these that hold
+    Scope scope;                                    ///< the inputs (`parameter_count`), then the outputs
+    std::vector<LiftedAtom> domain;                 ///< all must hold of the inputs
+    std::vector<LiftedAtom> certified;              ///< of inputs and outputs
+    std::vector<std::vector<TypeId>> output_types;  ///< by output: all types that it belongs to
+    std::vector<PredicateId> fluents;               ///< the call gets the atoms of these that hold
     Location where;
 
     std::size_t input_count() const { return scope.parameter_count; }

@@ -6,6 +6,7 @@
 #include "parser/check/atoms.hpp"
 #include "parser/check/scope.hpp"
 #include "parser/check/streams/monotone.hpp"
+#include "parser/check/types.hpp"
 
 namespace praxis::check {
 namespace {
@@ -58,6 +59,7 @@ class StreamChecker {
                                     "stream " + spelled(declaration.name) + " certifies nothing",
                                     "say with ':certified' what its samples are good for");
         check_use(declaration, stream);
+        add_output_types(stream);
         for (const syntax::Name& name : declaration.fluents) add_fluent(name, stream);
         result_.streams.push_back(std::move(stream));
     }
@@ -86,6 +88,15 @@ class StreamChecker {
             if (stream.scope.variable_types[i] == TypeId(0) && !used(stream.domain, i))
                 context_.reporter.warning(tree_.where(tree_.typed_names[declaration.inputs.begin + i].name),
                                           "any object can be this input", "say in ':domain' which");
+    }
+
+    void add_output_types(StreamSchema& stream) {
+        for (std::size_t i = stream.input_count(); i < stream.scope.variable_types.size(); ++i) {
+            std::vector<TypeId>& types = stream.output_types.emplace_back();
+            for (std::size_t type = 0; type < context_.task.types.size(); ++type)
+                if (is_subtype(context_, stream.scope.variable_types[i], TypeId(type)))
+                    types.emplace_back(type);
+        }
     }
 
     void check_predicate(const StreamDeclaration& declaration) {
