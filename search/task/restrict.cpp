@@ -13,7 +13,7 @@ namespace {
 void check(const FiniteDomainTask& task, const Nogood& nogood) {
     if (nogood.events.empty()) throw std::invalid_argument("a nogood without events forbids every plan");
     for (const Event& event : nogood.events) {
-        if (!event.op.valid() || event.op.index() >= task.operator_count())
+        if (event.op.valid() && event.op.index() >= task.operator_count())
             throw std::invalid_argument("a nogood names an operator that the task does not have");
         std::vector<std::int32_t> variables;
         for (const Fact& fact : event.facts) {
@@ -36,13 +36,19 @@ class Restrictor {
     void add(const Nogood& nogood) {
         std::vector<Fact> marks;
         if (nogood.events.size() > 1)
-            for (const Event& event : nogood.events) marks.push_back({mark(event), 1});
+            for (const Event& event : nogood.events) marks.push_back(mark(event));
         for (std::size_t i = 0; i < nogood.events.size(); ++i) {
             const Event& event = nogood.events[i];
             std::vector<Fact> facts = event.facts;
-            for (std::size_t j = 0; j < marks.size(); ++j)
-                if (marks[j] != marks[i]) facts.push_back(marks[j]);
-            forbid(event.op, std::move(facts));
+            bool possible = true;
+            for (std::size_t j = 0; j < marks.size(); ++j) {
+                if (j == i || marks[j] == marks[i]) continue;
+                if (nogood.events[j].op.valid())
+                    facts.push_back(marks[j]);
+                else
+                    possible = false;  // nothing comes after the end
+            }
+            if (possible) forbid(event.op, std::move(facts));
         }
     }
 
@@ -52,12 +58,13 @@ class Restrictor {
     }
 
   private:
-    /// The variable that says whether the event has happened.
-    std::int32_t mark(const Event& event) {
+    /// The fact that says that the event has happened.
+    Fact mark(const Event& event) {
+        if (!event.op.valid()) return {-1, 0};
         std::vector<Fact> facts = event.facts;
         std::ranges::sort(facts);
         const auto [at, is_new] = marks_.try_emplace({event.op.index(), facts}, 0);
-        if (!is_new) return at->second;
+        if (!is_new) return {at->second, 1};
         at->second = add_variable("event", -1, 0);
         std::uint32_t condition = 0;
         if (!facts.empty()) {
@@ -65,7 +72,7 @@ class Restrictor {
             made_->conditions.append(facts);
         }
         new_effects_[event.op.index()].push_back({{at->second, 1}, condition});
-        return at->second;
+        return {at->second, 1};
     }
 
     void forbid(OperatorId op, std::vector<Fact> facts) {
@@ -78,11 +85,16 @@ class Restrictor {
             else if (known->value != fact.value)
                 return;
         }
-        new_preconditions_[op.index()].push_back(open.empty() ? never() : not_all(open));
+        const Fact wanted = open.empty() ? never() : not_all(open);
+        if (op.valid())
+            new_preconditions_[op.index()].push_back(wanted);
+        else
+            new_goals_.push_back(wanted);
     }
 
     const Fact* required(OperatorId op, std::int32_t variable) const {
-        const auto precondition = task_.preconditions[op.index()];
+        const std::span<const Fact> precondition =
+            op.valid() ? task_.preconditions[op.index()] : std::span<const Fact>(task_.goal);
         const auto at = std::ranges::find(precondition, variable, &Fact::variable);
         return at == precondition.end() ? nullptr : &*at;
     }
@@ -157,6 +169,8 @@ class Restrictor {
             }
             effects.close();
         }
+        new_goals_.insert(new_goals_.end(), task_.goal.begin(), task_.goal.end());
+        made_->goal = consistent(new_goals_);
         made_->preconditions = std::move(preconditions);
         made_->effects = std::move(effects);
     }
@@ -177,7 +191,8 @@ class Restrictor {
 
     const FiniteDomainTask& task_;
     std::shared_ptr<FiniteDomainTask> made_;
-    std::map<std::uint32_t, std::vector<Fact>> new_preconditions_;    // by operator
+    std::map<std::uint32_t, std::vector<Fact>> new_preconditions_;  // by operator
+    std::vector<Fact> new_goals_;
     std::map<std::uint32_t, std::vector<GroundEffect>> new_effects_;  // by operator
     std::map<std::pair<std::uint32_t, std::vector<Fact>>, std::int32_t> marks_;
     std::map<std::vector<Fact>, std::int32_t> derived_;

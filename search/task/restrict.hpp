@@ -1,8 +1,8 @@
 // What a plan must not do, learned after grounding: a ground task that forbids it, with the same operators.
 //
-// An *event* is the application of an operator in a state where some facts hold. A *nogood* is a set of
-// events that must not all happen in one plan. So a nogood of one event says: never this operator where all
-// these facts hold; and with no facts: never this operator.
+// An *event* is the application of an operator in a state where some facts hold, or the end of the plan in
+// such a state. A *nogood* is a set of events that must not all happen in one plan. So a nogood of one event
+// says: never this operator where all these facts hold; and with no facts: never this operator.
 //
 // Encoding. "Not all of these facts" is a derived variable with an axiom for each other value of each fact's
 // variable (or simply the other value, for one fact of a binary variable); it becomes a precondition. Events
@@ -19,7 +19,7 @@
 namespace praxis {
 
 struct Event {
-    OperatorId op;
+    OperatorId op;            ///< invalid: the end of the plan
     std::vector<Fact> facts;  ///< at most one a variable
     friend bool operator==(const Event&, const Event&) = default;
 };
