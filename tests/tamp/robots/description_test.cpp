@@ -143,7 +143,7 @@ TEST(Description, BrokenFilesAreRefusedWithPlaceAndMend) {
         {changed("[[foot, finger]]", "[[foot]]"), {"pair"}},
     };
     for (const auto& [text, words] : cases) {
-        const std::string message = input_error([&] { parse(text); });
+        const std::string message = input_error([&, &broken = text] { parse(broken); });
         for (const std::string& word : words) {
             EXPECT_NE(message.find(word), std::string::npos) << "no " << word << " in: " << message;
         }

@@ -153,7 +153,7 @@ TEST(Srdf, BrokenFilesAreRefusedWithPlaceAndMend) {
         {"<group name=\"g\">", {"well-formed"}},
     };
     for (const auto& [inside, words] : cases) {
-        const std::string message = input_error([&] { read(inside); });
+        const std::string message = input_error([&, &text = inside] { read(text); });
         for (const std::string& word : words) {
             EXPECT_NE(message.find(word), std::string::npos) << "no " << word << " in: " << message;
         }
