@@ -22,7 +22,8 @@ std::string check_line_plan(const RefinedPlan& plan, std::map<std::string, doubl
             continue;
         }
         const std::string block = step.arguments[0].name();
-        if (number(3) != gripper || number(1) != gripper) return plan.action(i) + ": the gripper is elsewhere";
+        if (number(3) != gripper || number(1) != gripper)
+            return plan.action(i) + ": the gripper is elsewhere";
         if (gripper < reach.low || gripper > reach.high) return plan.action(i) + ": out of reach";
         if (step.name == "pick") {
             if (!held.empty() || !blocks.contains(block) || blocks[block] != number(1))
@@ -43,7 +44,8 @@ std::string check_line_plan(const RefinedPlan& plan, std::map<std::string, doubl
 double last_pose(const RefinedPlan& plan, const std::string& block) {
     double result = NAN;
     for (const RefinedStep& step : plan.steps)
-        if (step.name == "place" && step.arguments[0].name() == block) result = step.arguments[1].get<double>();
+        if (step.name == "place" && step.arguments[0].name() == block)
+            result = step.arguments[1].get<double>();
     return result;
 }
 
@@ -64,6 +66,64 @@ TEST(Line, TightNeedsNineActionsAndTwoPosesThatFit) {
         }
         EXPECT_GT(result.plan->cost, 4);
     }
+}
+
+TEST(Line, BlockedMovesTheBlockThatIsInTheWay) {
+    const StreamTask task = test::load_line(PRAXIS_SOURCE_DIR, "blocked");
+    const StreamLibrary library = LineWorld{}.library();
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        RefinementProblem problem{&task, &library, test::blocked_values(), {}};
+        problem.options.seed = seed;
+        const Refinement result = refine(problem);
+        ASSERT_EQ(result.status, RefineStatus::solved) << seed;
+        EXPECT_EQ(check_line_plan(*result.plan, {{"a", -2}, {"b", 5.75}}, 1, 0, {-100, 100}), "");
+        EXPECT_EQ(result.plan->steps.size(), 9u) << "b away, then a there";
+        EXPECT_LT(last_pose(*result.plan, "b"), 0);
+    }
+}
+
+TEST(Line, TwoBlocksDoNotFitWhereThereIsRoomForOne) {
+    const StreamTask task = test::load_line(PRAXIS_SOURCE_DIR, "tight");
+    LineWorld world;
+    world.poses = 8;
+    const StreamLibrary library = world.library();
+    RefinementProblem problem{&task, &library, test::tight_values(), {}};
+    problem.values["red"] = Value::of(test::Interval{5, 6.9});
+    const Refinement result = refine(problem);
+    EXPECT_EQ(result.status, RefineStatus::infeasible);
+    EXPECT_TRUE(result.statistics.exact);
+    EXPECT_FALSE(result.reasons.empty());
+    ASSERT_FALSE(result.attempts.empty());
+    EXPECT_EQ(result.attempts.front().stream, "test-apart");
+    problem.values["red"] = Value::of(test::Interval{5, 7});
+    EXPECT_EQ(refine(problem).status, RefineStatus::solved) << "just wide enough, at the grid's ends";
+}
+
+TEST(Line, WhatIsOutOfReachIsProved) {
+    const StreamTask task = test::load_line(PRAXIS_SOURCE_DIR, "tight");
+    LineWorld world;
+    world.poses = 8;
+    world.reach = {-20, 4};
+    const StreamLibrary library = world.library();
+    const RefinementProblem problem{&task, &library, test::tight_values(), {}};
+    const Refinement result = refine(problem);
+    EXPECT_EQ(result.status, RefineStatus::infeasible);
+    EXPECT_TRUE(result.statistics.rejections.contains("inverse-kinematics"));
+    world.reach = {-20, 7};
+    const StreamLibrary enough = world.library();
+    EXPECT_EQ(refine({&task, &enough, test::tight_values(), {}}).status, RefineStatus::solved);
+}
+
+TEST(Line, NothingIsProvedOfStreamsWithoutEnd) {
+    const StreamTask task = test::load_line(PRAXIS_SOURCE_DIR, "tight");
+    const StreamLibrary library = LineWorld{}.library();
+    RefinementProblem problem{&task, &library, test::tight_values(), {}};
+    problem.values["red"] = Value::of(test::Interval{5, 6.9});
+    Budget budget;
+    budget.limit_wall_time(0.2);
+    const Refinement result = refine(problem, budget);
+    EXPECT_EQ(result.status, RefineStatus::out_of_budget);
+    EXPECT_FALSE(result.attempts.empty());
 }
 
 }  // namespace

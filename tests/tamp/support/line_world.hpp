@@ -28,15 +28,17 @@ struct LineWorld {
         once.max_samples = 1;
         StreamInfo poses_info;
         if (poses > 0) poses_info.max_samples = poses;
-        library.bind("sample-pose", [world](StreamCall& call) { return world.sample_pose(call); }, poses_info);
+        library.bind(
+            "sample-pose", [world](StreamCall& call) { return world.sample_pose(call); }, poses_info);
         library.bind(
             "sample-grasp", [](StreamCall&) { return StreamResult::sample({Value::of(0.0)}); }, once);
-        library.bind("inverse-kinematics", [world](StreamCall& call) { return world.solve(call); }, once);
+        library.bind(
+            "inverse-kinematics", [world](StreamCall& call) { return world.solve(call); }, once);
         library.bind(
             "plan-motion",
             [](StreamCall& call) {
-                return StreamResult::sample({Value::of(
-                    std::pair(call.inputs[0].get<double>(), call.inputs[1].get<double>()))});
+                return StreamResult::sample(
+                    {Value::of(std::pair(call.inputs[0].get<double>(), call.inputs[1].get<double>()))});
             },
             once);
         library.bind("test-apart", [world](StreamCall& call) { return world.test_apart(call); });
@@ -82,13 +84,17 @@ inline StreamTask load_line(const std::string& root, const std::string& problem)
 
 /// Values of `tight` and `blocked`.
 inline std::map<std::string, Value, std::less<>> tight_values() {
-    return {{"ground", Value::of(Interval{-10, 0})}, {"red", Value::of(Interval{5, 7.5})},
-            {"pa", Value::of(-2.0)},                 {"pb", Value::of(-4.0)},
+    return {{"ground", Value::of(Interval{-10, 0})},
+            {"red", Value::of(Interval{5, 7.5})},
+            {"pa", Value::of(-2.0)},
+            {"pb", Value::of(-4.0)},
             {"home", Value::of(0.0)}};
 }
 inline std::map<std::string, Value, std::less<>> blocked_values() {
-    return {{"ground", Value::of(Interval{-10, 0})}, {"red", Value::of(Interval{5, 6.5})},
-            {"pa", Value::of(-2.0)},                 {"pb", Value::of(5.75)},
+    return {{"ground", Value::of(Interval{-10, 0})},
+            {"red", Value::of(Interval{5, 6.5})},
+            {"pa", Value::of(-2.0)},
+            {"pb", Value::of(5.75)},
             {"home", Value::of(0.0)}};
 }
 
