@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 
+#include "tamp/geometry/cylinder_cover.hpp"
 #include "tamp/geometry/mesh_cover.hpp"
 
 namespace praxis::tamp {
@@ -93,95 +92,18 @@ std::vector<Ball> cover_capsule(const Capsule& capsule, const CoverOptions& opti
     return balls;
 }
 
-/// Centres on a ring whose sectors make up an annulus.
-struct Ring {
-    double radius = 0;
-    std::size_t sectors = 1;
-};
-
-/// A disc of radius `width`, and annuli of that width around it, cut into sectors that fit into discs of
-/// that radius.
-std::vector<Ring> cover_disc(double width, std::size_t annuli) {
-    std::vector<Ring> rings = {{0, 1}};
-    for (std::size_t i = 1; i <= annuli; ++i) {
-        const double inner = width * static_cast<double>(i);
-        const double outer = inner + width;
-        Ring ring{0, 2};
-        double reach = 0;
-        do {
-            ++ring.sectors;
-            const double angle = std::numbers::pi / static_cast<double>(ring.sectors);
-            ring.radius = std::min((inner + outer) / (2 * std::cos(angle)), outer * std::cos(angle));
-            const auto to_corner = [&](double radius) {
-                return std::hypot(radius * std::cos(angle) - ring.radius, radius * std::sin(angle));
-            };
-            reach = std::max({to_corner(inner), to_corner(outer), outer - ring.radius});
-        } while (reach > width * (1 + kRounding));
-        rings.push_back(ring);
-    }
-    return rings;
-}
-
-/// A cover of a cylinder by equal layers of one pattern of rings.
-struct Layers {
-    std::size_t annuli = 0;
-    std::size_t layers = 1;
-    std::size_t count = 1;
-    double radius = 0;
-    double overhang = std::numeric_limits<double>::infinity();
-};
-
-Layers choose_layers(const Cylinder& cylinder, const CoverOptions& options) {
-    Layers best;
-    for (std::size_t annuli = 0;; ++annuli) {
-        const double width = cylinder.radius / static_cast<double>(annuli + 1);
-        const std::vector<Ring> rings = cover_disc(width, annuli);
-        std::size_t in_layer = 0;
-        for (const Ring& ring : rings) in_layer += ring.sectors;
-        const bool reached = best.overhang <= options.overhang;
-        if (in_layer > options.max_balls || (reached && in_layer >= best.count)) return best;
-        const double wall = cylinder.radius - rings.back().radius;
-        for (std::size_t layers = 1; layers * in_layer <= options.max_balls; ++layers) {
-            const double half_layer = cylinder.length / static_cast<double>(2 * layers);
-            const double radius = std::hypot(width, half_layer);
-            const Layers made{annuli, layers, layers * in_layer, radius, radius - std::min(half_layer, wall)};
-            const bool better = best.overhang <= options.overhang
-                                    ? made.overhang <= options.overhang && made.count < best.count
-                                    : made.overhang < best.overhang;
-            if (better) best = made;
-            if (made.overhang <= options.overhang || half_layer <= wall) break;
-        }
-    }
-}
-
-std::vector<Ball> cover_cylinder(const Cylinder& cylinder, const CoverOptions& options) {
-    require_size(cylinder.radius, "the radius of a cylinder");
-    require_size(cylinder.length, "the length of a cylinder");
-    const Layers pattern = choose_layers(cylinder, options);
-    const std::vector<Ring> rings =
-        cover_disc(cylinder.radius / static_cast<double>(pattern.annuli + 1), pattern.annuli);
-    std::vector<Ball> balls;
-    for (std::size_t layer = 0; layer < pattern.layers; ++layer) {
-        const double share = static_cast<double>(2 * layer + 1) / static_cast<double>(2 * pattern.layers);
-        for (const Ring& ring : rings) {
-            for (std::size_t sector = 0; sector < ring.sectors; ++sector) {
-                const double angle =
-                    2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(ring.sectors);
-                balls.push_back({{ring.radius * std::cos(angle), ring.radius * std::sin(angle),
-                                  cylinder.length * (share - 0.5)},
-                                 padded(pattern.radius)});
-            }
-        }
-    }
-    return balls;
-}
-
 struct CoverVisitor {
     const CoverOptions& options;
 
     std::vector<Ball> operator()(const Sphere& sphere) const { return cover_sphere(sphere); }
     std::vector<Ball> operator()(const Box& box) const { return cover_box(box, options); }
-    std::vector<Ball> operator()(const Cylinder& cylinder) const { return cover_cylinder(cylinder, options); }
+    std::vector<Ball> operator()(const Cylinder& cylinder) const {
+        require_size(cylinder.radius, "the radius of a cylinder");
+        require_size(cylinder.length, "the length of a cylinder");
+        std::vector<Ball> balls = cover_cylinder(cylinder, options);
+        for (Ball& ball : balls) ball.radius = padded(ball.radius);
+        return balls;
+    }
     std::vector<Ball> operator()(const Capsule& capsule) const { return cover_capsule(capsule, options); }
     std::vector<Ball> operator()(const std::shared_ptr<const Mesh>& mesh) const {
         if (!mesh) throw std::invalid_argument("a mesh without content has no cover");

@@ -6,9 +6,9 @@
 // what lies between the ball's centre and the surface with it.
 //
 // Constructions. A capsule: balls on its segment. A box: the balls around the cells of a grid. A cylinder:
-// layers of a disc and rings cut into sectors. A mesh: clusters of triangles, halved where the ball hangs
-// over most. Each uses as few balls as reach the wanted overhang, or the best that the limit of their number
-// allows.
+// layers of a disc and rings cut into sectors, or balls on its axis and rings of balls at its edges. A mesh:
+// clusters of triangles, halved where the ball hangs over most. Each uses as few balls as reach the wanted
+// overhang, or the best that the limit of their number allows.
 #pragma once
 
 #include <cstddef>
