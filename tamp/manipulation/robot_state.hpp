@@ -1,0 +1,57 @@
+// Where a robot and everything around it are between two actions, and what an action does to that.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tamp/motion/path.hpp"
+#include "tamp/report/trajectory_document.hpp"
+#include "tamp/robots/robot.hpp"
+#include "tamp/scenes/world.hpp"
+
+namespace praxis::tamp {
+
+struct RobotState {
+    Configuration configuration = {};  ///< of the whole robot
+    WorldPointer world = {};
+};
+
+/// A motion of one group, or something that happens while nothing moves.
+struct MotionPiece {
+    TrajectoryDocument::Motion kind = TrajectoryDocument::Motion::transit;
+    int group = 0;
+    Path path = {};  ///< from where the group is; empty: stands still
+    /// What happens at its end: the body is taken, or let go at a pose in the world.
+    std::optional<std::pair<int, Attachment>> attach = {};
+    std::optional<std::pair<int, Pose>> detach = {};
+};
+
+/// What a skill does: pieces one after the other, each collision-free in the world as it then is.
+struct ActionMotion {
+    std::vector<MotionPiece> pieces = {};
+    RobotState after = {};
+};
+
+/// Why a skill cannot be done.
+struct ActionFailure {
+    TrajectoryDocument::Reason reason = TrajectoryDocument::Reason::other;
+    std::string message = {};
+    /// Movable bodies: the skill fails as long as all of them stand where they stand. Empty: whatever stands.
+    std::vector<int> bodies = {};
+    /// False: it was not all tried that the discretisation allows; another try may succeed.
+    bool definite = true;
+    Configuration configuration = {};    ///< of the whole robot at the failure; empty: none
+    std::vector<Contact> contacts = {};  ///< there
+    WorldPointer world = {};             ///< in which that was
+};
+
+struct ActionResult {
+    std::optional<ActionMotion> motion = {};
+    ActionFailure failure = {};  ///< where there is no motion
+
+    explicit operator bool() const { return motion.has_value(); }
+};
+
+}  // namespace praxis::tamp
