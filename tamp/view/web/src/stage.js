@@ -1,0 +1,100 @@
+// Camera, lights and floor. Pictures are drawn when something has changed, not all the time.
+import {
+  Box3, Color, DirectionalLight, Fog, GridHelper, HemisphereLight, NeutralToneMapping, Object3D, PCFShadowMap,
+  PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+Object3D.DEFAULT_UP.set(0, 0, 1);
+
+const themes = {
+  light: { background: 0xf4f5f7, grid: [0xb9c0cc, 0xdde1e8], sky: 0xffffff, ground: 0xc9ccd4 },
+  dark: { background: 0x14171c, grid: [0x3d4553, 0x262c35], sky: 0xdfe8ff, ground: 0x30343d },
+};
+
+export class Stage {
+  /** Throws where there is no WebGL. */
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(38, 1, 0.01, 200);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = Math.PI * 0.52;
+    this.controls.addEventListener("change", () => this.invalidate());
+    this.sky = new HemisphereLight(0xffffff, 0xc0c4cc, 1.9);
+    this.sky.position.set(0, 0, 1);
+    this.sun = new DirectionalLight(0xffffff, 2.1);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.normalBias = 0.01;
+    this.scene.add(this.sky, this.sun, this.sun.target);
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.setTheme("light");
+    this.resize();
+  }
+
+  setTheme(name) {
+    const theme = themes[name];
+    this.scene.background = new Color(theme.background);
+    this.scene.fog = new Fog(theme.background, 14, 40);
+    this.sky.color.set(theme.sky);
+    this.sky.groundColor.set(theme.ground);
+    if (this.grid) {
+      this.scene.remove(this.grid);
+      this.grid.dispose();
+    }
+    this.grid = new GridHelper(40, 80, ...theme.grid);
+    this.grid.rotateX(Math.PI / 2);
+    this.grid.position.z = -0.001;
+    this.scene.add(this.grid);
+    this.invalidate();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Looks at all of the objects and points. */
+  fit(objects, points = []) {
+    const box = new Box3();
+    for (const object of objects) box.expandByObject(object);
+    for (const point of points) box.expandByPoint(point);
+    if (box.isEmpty()) box.set(new Vector3(-1, -1, 0), new Vector3(1, 1, 1));
+    const { center, radius } = box.getBoundingSphere(new Sphere());
+    const narrow = Math.min(1, this.camera.aspect) * Math.tan((this.camera.fov * Math.PI) / 360);
+    const distance = (1.02 * radius) / Math.sin(Math.atan(narrow));
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(new Vector3(1, -1.15, 0.75).normalize(), distance);
+    this.controls.minDistance = radius / 50;
+    this.controls.maxDistance = 20 * radius;
+    const reach = 2 * radius;
+    Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1, far: 12 * radius });
+    this.sun.shadow.camera.updateProjectionMatrix();
+    this.sun.target.position.copy(center);
+    this.sun.position.copy(center).addScaledVector(new Vector3(0.5, -0.65, 1.3).normalize(), 5 * radius);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  invalidate() {
+    this.waiting ??= requestAnimationFrame(() => {
+      this.waiting = undefined;
+      this.draw();
+    });
+  }
+
+  draw() {
+    this.renderer.render(this.scene, this.camera);
+  }
+}

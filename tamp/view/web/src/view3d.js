@@ -1,0 +1,113 @@
+// The scene at a time, or at a failed attempt.
+import { BufferGeometry, Color, Group, Line, LineBasicMaterial, MeshStandardMaterial, Vector3 } from "three";
+import { RobotModel } from "./robot_model.js";
+import { makeShapes, paint, place } from "./shapes.js";
+import { Stage } from "./stage.js";
+
+const solid = (color) => new MeshStandardMaterial({ color, roughness: 0.55, metalness: 0.05 });
+const linkMaterials = [solid(0xf2f3f5), solid(0xe0633a)];
+const ghostMaterial = new MeshStandardMaterial({
+  color: 0xe5484d, roughness: 0.6, transparent: true, opacity: 0.34, depthWrite: false,
+});
+const faultMaterial = new MeshStandardMaterial({ color: 0xe01f2d, emissive: 0x7a0d14, roughness: 0.5 });
+const pathMaterial = new LineBasicMaterial({ color: 0x2f6fed });
+const mostPathPoints = 2000;
+
+export class View3d {
+  constructor(canvas, document, replay) {
+    this.replay = replay;
+    this.stage = new Stage(canvas);
+    this.robot = new RobotModel(document.robot, (index) => linkMaterials[index % 2]);
+    this.ghost = new RobotModel(document.robot, () => ghostMaterial);
+    this.ghost.root.visible = false;
+    this.bodies = new Map();
+    for (const body of document.bodies) {
+      const material = solid(new Color().setRGB(...body.color, "srgb"));
+      this.bodies.set(body.name, { body, material, object: makeShapes(body.shapes, material) });
+    }
+    this.paths = new Group();
+    this.stage.scene.add(this.robot.root, this.ghost.root, this.paths);
+    this.tracePaths();
+    this.showTime(0);
+    this.fit();
+  }
+
+  /** The tools' ways through the world. */
+  tracePaths() {
+    const { duration } = this.replay;
+    const count = Math.min(mostPathPoints, Math.ceil(duration * 60));
+    const points = this.robot.tools.map(() => []);
+    for (let i = 0; i <= count; ++i) {
+      this.robot.move(this.replay.configurationAt((i / Math.max(1, count)) * duration));
+      this.robot.root.updateMatrixWorld(true);
+      this.robot.tools.forEach((tool, k) => points[k].push(new Vector3().setFromMatrixPosition(tool.matrixWorld)));
+    }
+    for (const way of points) this.paths.add(new Line(new BufferGeometry().setFromPoints(way), pathMaterial));
+    this.pathPoints = points.flat();
+  }
+
+  /** Looks at what moves, and at everything if nothing does. */
+  fit() {
+    this.stage.scene.updateMatrixWorld(true);
+    const movable = [...this.bodies.values()].filter(({ body }) => body.movable).map(({ object }) => object);
+    const all = [...this.bodies.values()].map(({ object }) => object);
+    const robot = this.robot.robot.links.length > 0 ? [this.robot.root] : [];
+    const shown = [...robot, ...movable];
+    this.stage.fit(shown.length > 0 ? shown : all, this.pathPoints);
+  }
+
+  setTheme(name) {
+    this.stage.setTheme(name);
+  }
+
+  togglePaths() {
+    this.paths.visible = !this.paths.visible;
+    this.stage.invalidate();
+    return this.paths.visible;
+  }
+
+  showTime(time) {
+    this.leaveAttempt();
+    this.robot.move(this.replay.configurationAt(time));
+    this.placeBodies(this.replay.placesAt(time), this.robot);
+    this.stage.invalidate();
+  }
+
+  /** The robot as a ghost where it failed; what touched is red. */
+  showAttempt(attempt) {
+    this.leaveAttempt();
+    const places = this.replay.placesAt(0);
+    for (const stand of attempt.elsewhere ?? []) places.set(stand.body, stand);
+    if (attempt.held) places.set(attempt.held.body, attempt.held);
+    const ghost = attempt.configuration !== undefined;
+    const shown = ghost ? this.ghost : this.robot;
+    shown.move(attempt.configuration ?? this.replay.document.start);
+    this.ghost.root.visible = ghost;
+    this.robot.root.visible = !ghost;
+    this.placeBodies(places, shown);
+    const fault = new Set((attempt.contacts ?? []).flat());
+    shown.paint(fault, faultMaterial);
+    for (const [name, { object }] of this.bodies) if (fault.has(name)) paint(object, faultMaterial);
+    this.attempt = attempt;
+    this.stage.invalidate();
+  }
+
+  leaveAttempt() {
+    if (!this.attempt) return;
+    this.attempt = undefined;
+    this.ghost.shapes.forEach((shapes) => paint(shapes, ghostMaterial));
+    this.robot.shapes.forEach((shapes, index) => paint(shapes, linkMaterials[index % 2]));
+    for (const { object, material } of this.bodies.values()) paint(object, material);
+    this.ghost.root.visible = false;
+    this.robot.root.visible = true;
+  }
+
+  placeBodies(places, robot) {
+    for (const [name, { object }] of this.bodies) {
+      const { link, pose } = places.get(name);
+      const parent = link === undefined ? this.stage.scene : robot.frame(link);
+      if (object.parent !== parent) parent.add(object);
+      place(object, pose);
+    }
+  }
+}
