@@ -1,0 +1,54 @@
+// One call of a skill: tries the ways to do it, one after the other, and keeps the pieces of motion of the one
+// that works.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tamp/manipulation/failure_log.hpp"
+#include "tamp/manipulation/manipulator_model.hpp"
+
+namespace praxis::tamp {
+
+class SkillRun {
+  public:
+    SkillRun(const ManipulatorModel& model, const RobotState& state, std::string what, const Budget& budget)
+        : model_(model), budget_(budget), log_(std::move(what)), state_(state) {}
+
+    ActionResult pick(int body, const Grasp& grasp);
+    ActionResult place(int body, const Grasp& grasp, const Pose& pose);
+
+  private:
+    using Kind = TrajectoryDocument::Motion;
+
+    /// Calls `attempt` where the robot is or, with a mobile base, from one base pose after the other.
+    template <class Attempt>
+    ActionResult from_base_poses(const Vector3& around, Attempt&& attempt);
+    bool pick_from_here(int body, const Grasp& grasp);
+    bool place_from_here(int body, const Grasp& grasp, const Pose& pose);
+    bool pick_with(int body, const Grasp& grasp, const Configuration& arm);
+    bool place_with(int body, const Grasp& grasp, const Pose& pose, const Configuration& arm);
+    /// With a mobile base: brings the arm to where it is while the base moves.
+    bool fold();
+
+    void add(Kind kind, int group, Path path);
+    void move_fingers(double opening);
+    void set_world(World world) { state_.world = std::make_shared<const World>(std::move(world)); }
+    bool travel(CollisionChecker& checker, Kind kind, int group, const Configuration& goal,
+                const std::string& phase);
+    /// A path along straight lines that is free, the first of several; none: the reasons are logged.
+    std::optional<Path> free_line(CollisionChecker& checker, const Configuration& arm,
+                                  const std::vector<std::vector<Vector3>>& ways, const std::string& phase);
+    std::vector<std::vector<Vector3>> ways_up(const Vector3& approach) const;
+    bool out_of_budget();
+
+    const ManipulatorModel& model_;
+    const Budget& budget_;
+    FailureLog log_;
+    RobotState state_;
+    std::vector<MotionPiece> pieces_;
+};
+
+}  // namespace praxis::tamp
