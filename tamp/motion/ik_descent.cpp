@@ -98,48 +98,27 @@ class Descent {
 
     IkDescentResult run() {
         linearise(positions_, now_);
-        double damping_scale = kDamping;
-        double pull = problem_.posture != nullptr ? kPull : 0;
-        int slow = 0;
-        IkDescentResult best;
-        Columns best_positions = positions_;
-        int iteration = 0;
-        for (; iteration < problem_.iterations; ++iteration) {
-            if (converged(now_)) {
-                best = result(now_, iteration);
-                best_positions = positions_;
-                if (pull == 0) break;
-            }
-            Columns next = positions_;
-            const double moved = step(damping_scale * now_.squared + kLeastDamping, pull, next);
-            if (best.converged && moved < kStill) break;
-            linearise(next, then_);
-            if (then_.squared > now_.squared && !converged(then_)) {
-                damping_scale *= 8;
-                pull /= 2;
-                if (best.converged || damping_scale > kMostDamping) break;
-                continue;
-            }
-            damping_scale = std::max(damping_scale / 4, kDamping / 64);
-            slow = then_.squared > kSlow * now_.squared ? slow + 1 : 0;
-            positions_ = next;
-            now_ = then_;
-            if (slow >= kPatience && pull == 0) break;
-        }
-        if (best.converged) {
-            positions_ = best_positions;
-            best.iterations = iteration;
-            return best;
-        }
-        return result(now_, iteration);
+        approach(problem_.iterations);
+        IkDescentResult found = result();
+        if (!found.converged || problem_.posture == nullptr) return found;
+        const Columns arrived = positions_;
+        slide();
+        approach(kCorrections);
+        if (converged(now_) && away(positions_) < away(arrived)) return result();
+        positions_ = arrived;
+        found.iterations = iterations_;
+        return found;
     }
 
   private:
     static constexpr double kDamping = 1e-2;
     static constexpr double kLeastDamping = 1e-9;
     static constexpr double kMostDamping = 1e4;
-    static constexpr double kPull = 0.2;
+    static constexpr double kPull = 0.5;
     static constexpr double kStill = 1e-3;
+    static constexpr double kFarOff = 0.01;
+    static constexpr int kSlides = 15;
+    static constexpr int kCorrections = 5;
     static constexpr double kSlow = 0.7;
     static constexpr int kPatience = 3;
     static constexpr double kLongestStep = 1;
@@ -148,8 +127,54 @@ class Descent {
         return at.position_error <= problem_.position_tolerance &&
                at.rotation_error <= problem_.rotation_tolerance;
     }
-    IkDescentResult result(const Linearisation& at, int iterations) const {
-        return {converged(at), iterations, at.position_error, at.rotation_error};
+    IkDescentResult result() const {
+        return {converged(now_), iterations_, now_.position_error, now_.rotation_error};
+    }
+
+    /// Until the error is within the tolerances, or no longer shrinks.
+    void approach(int iterations) {
+        double damping_scale = kDamping;
+        int slow = 0;
+        for (int i = 0; i < iterations && !converged(now_); ++i, ++iterations_) {
+            Columns next = positions_;
+            step(damping_scale * now_.squared + kLeastDamping, 0, next);
+            linearise(next, then_);
+            if (then_.squared > now_.squared) {
+                damping_scale *= 8;
+                if (damping_scale > kMostDamping) return;
+                continue;
+            }
+            damping_scale = std::max(damping_scale / 4, kDamping / 64);
+            slow = then_.squared > kSlow * now_.squared ? slow + 1 : 0;
+            positions_ = next;
+            now_ = then_;
+            if (slow >= kPatience) return;
+        }
+    }
+
+    /// Along the solutions towards the posture, hardly leaving them.
+    void slide() {
+        double pull = kPull;
+        for (int i = 0; i < kSlides; ++i, ++iterations_) {
+            Columns next = positions_;
+            if (step(kLeastDamping, pull, next) < kStill) return;
+            linearise(next, then_);
+            if (then_.squared > kFarOff) {
+                pull /= 2;
+                continue;
+            }
+            positions_ = next;
+            now_ = then_;
+        }
+    }
+
+    double away(const Columns& positions) const {
+        double squared = 0;
+        for (std::size_t j = 0; j < columns_; ++j) {
+            const double difference = positions[j] - problem_.posture[j];
+            squared += difference * difference;
+        }
+        return squared;
     }
 
     void linearise(const Columns& positions, Linearisation& at) const {
@@ -257,6 +282,7 @@ class Descent {
     Columns& positions_;
     Linearisation now_;
     Linearisation then_;
+    int iterations_ = 0;
 };
 
 }  // namespace

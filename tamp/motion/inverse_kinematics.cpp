@@ -150,6 +150,10 @@ IkResult InverseKinematics::search(const Pose& target, const IkOptions& options,
         }
     }
     if (options.start && attempt(start)) return result;
+    if (options.posture) {
+        Columns positions = posture;
+        if (attempt(positions)) return result;
+    }
     IkStarts::Order order(starts_, problem, options.seed);
     while (result.attempts < options.attempts) {
         const std::size_t index = order.next();

@@ -56,8 +56,7 @@ void allow_neighbours(Robot& robot) {
     auto& pairs = robot.allowed_collisions;
     for (const Joint& joint : robot.joints) pairs.emplace_back(joint.parent, joint.child);
     std::ranges::sort(pairs);
-    const auto repeated = std::ranges::unique(pairs);
-    pairs.erase(repeated.begin(), repeated.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 void require_valid(const Robot& robot, const std::string& file) {

@@ -1,7 +1,5 @@
 #include "tamp/robots/urdf_tree.hpp"
 
-#include <ranges>
-
 #include "parser/suggest.hpp"
 
 namespace praxis::tamp {
@@ -26,13 +24,13 @@ Elements by_name(const XmlFile& xml, const char* kind) {
 /// The link that a joint's <parent> or <child> names.
 std::string joined_link(const XmlFile& xml, const Element& joint, const char* side, const Elements& links) {
     const std::string name = quote(joint.Attribute("name"));
-    const Element* element = joint.FirstChildElement(side);
-    if (element == nullptr) xml.fail(joint, "joint " + name + " has no <" + std::string(side) + ">");
-    std::string link = xml.attribute(*element, "link");
+    const Element* joined = joint.FirstChildElement(side);
+    if (joined == nullptr) xml.fail(joint, "joint " + name + " has no <" + std::string(side) + ">");
+    std::string link = xml.attribute(*joined, "link");
     if (!links.contains(link)) {
         Suggestion suggestion(link);
-        for (const std::string& known : std::views::keys(links)) suggestion.consider(known);
-        xml.fail(*element, "joint " + name + " joins an unknown link " + quote(link),
+        for (const auto& [known, element] : links) suggestion.consider(known);
+        xml.fail(*joined, "joint " + name + " joins an unknown link " + quote(link),
                  suggestion.found() ? suggestion.hint() : "define it by <link name=...>");
     }
     return link;
@@ -79,7 +77,8 @@ UrdfTree make_urdf_tree(const XmlFile& xml) {
         ++reached;
         if (!joint.empty()) tree.joints.push_back(joint);
         joint_above.erase(link);
-        for (const auto& next : below[link] | std::views::reverse) open.push_back(next);
+        const auto& joints = below[link];
+        open.insert(open.end(), joints.rbegin(), joints.rend());
     }
     if (reached < tree.link_elements.size()) {
         const auto& [link, joint] = *joint_above.begin();

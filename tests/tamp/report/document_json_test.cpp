@@ -191,7 +191,7 @@ TEST(DocumentJson, RefusesWrongPlaces) {
                      "segments[6].detach.body must be a body that is held"));
     EXPECT_TRUE(
         says(refusal("/attempts/0/contacts/0/1", "cup"), "attempts[0].contacts[0] must be two names of"));
-    EXPECT_TRUE(says(refusal("/bodies/1/name", "floor"), "bodies[1] must be named otherwise"));
+    EXPECT_TRUE(says(refusal("/bodies/1/name", "table"), "bodies[1] must be named otherwise"));
     EXPECT_TRUE(says(refusal("/bodies/0/shapes/0/size/1", -1),
                      "bodies[0].shapes[0].size[1] must be a finite length"));
 }

@@ -70,15 +70,14 @@ PlacedShape box(double x, double y, double z, const Pose& pose = Pose::Identity(
 
 World sample_world() {
     std::vector<PlacedShape> shelf;
-    for (const double z : {0.0, 0.38, 0.76}) shelf.push_back(box(0.36, 0.7, 0.02, at(0, 0, z)));
-    for (const double y : {-0.34, 0.34}) shelf.push_back(box(0.36, 0.02, 0.76, at(0, y, 0.38)));
+    for (const double z : {0.0, 0.38, 0.76}) shelf.push_back(box(0.36, 0.66, 0.02, at(0, 0, z)));
+    for (const double y : {-0.34, 0.34}) shelf.push_back(box(0.36, 0.02, 0.78, at(0, y, 0.38)));
     World world;
-    world = world.with_body(model("floor", {box(4, 4, 0.02)}, {0.62F, 0.65F, 0.7F}, false), at(0, 0, -0.011));
     world =
         world.with_body(model("table", {box(0.5, 0.8, 0.04)}, {0.72F, 0.55F, 0.38F}, false), at(0.6, 0, 0.3));
     world = world.with_body(model("shelf", std::move(shelf), {0.45F, 0.5F, 0.58F}, false), at(0, 0.75, 0.02));
     world =
-        world.with_body(model("can", {{Pose::Identity(), Cylinder{0.03, 0.12}}}, {0.86F, 0.2F, 0.24F}, true),
+        world.with_body(model("can", {{Pose::Identity(), Cylinder{0.03, 0.12}}}, {0.1F, 0.62F, 0.5F}, true),
                         at(0.55, -0.1, 0.38));
     world = world.with_body(model("ball", {{Pose::Identity(), Sphere{0.05}}}, {0.2F, 0.55F, 0.9F}, true),
                             at(0.68, 0.2, 0.37));

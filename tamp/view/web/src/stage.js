@@ -1,22 +1,23 @@
 // Camera, lights and floor. Pictures are drawn when something has changed, not all the time.
 import {
-  Box3, Color, DirectionalLight, Fog, GridHelper, HemisphereLight, NeutralToneMapping, Object3D, PCFShadowMap,
-  PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer,
+  Box3, Color, DirectionalLight, HemisphereLight, Mesh, NeutralToneMapping, Object3D,
+  PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Grid } from "./grid.js";
 
 Object3D.DEFAULT_UP.set(0, 0, 1);
 
 const themes = {
-  light: { background: 0xf4f5f7, grid: [0xb9c0cc, 0xdde1e8], sky: 0xffffff, ground: 0xc9ccd4 },
-  dark: { background: 0x14171c, grid: [0x3d4553, 0x262c35], sky: 0xdfe8ff, ground: 0x30343d },
+  light: { background: 0xf4f5f7, grid: 0xb4bcc9, sky: 0xffffff, ground: 0xc9ccd4 },
+  dark: { background: 0x14171c, grid: 0x465062, sky: 0xdfe8ff, ground: 0x30343d },
 };
 
 export class Stage {
   /** Throws where there is no WebGL. */
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
@@ -30,9 +31,12 @@ export class Stage {
     this.sun = new DirectionalLight(0xffffff, 2.1);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = 0.01;
-    this.scene.add(this.sky, this.sun, this.sun.target);
+    this.sun.shadow.bias = -0.0002;
+    this.floor = new Mesh(new PlaneGeometry(200, 200), new ShadowMaterial({ opacity: 0.22 }));
+    this.floor.receiveShadow = true;
+    this.floor.position.z = -0.002;
+    this.grid = new Grid();
+    this.scene.add(this.grid, this.sky, this.sun, this.sun.target, this.floor);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.setTheme("light");
     this.resize();
@@ -41,17 +45,9 @@ export class Stage {
   setTheme(name) {
     const theme = themes[name];
     this.scene.background = new Color(theme.background);
-    this.scene.fog = new Fog(theme.background, 14, 40);
     this.sky.color.set(theme.sky);
     this.sky.groundColor.set(theme.ground);
-    if (this.grid) {
-      this.scene.remove(this.grid);
-      this.grid.dispose();
-    }
-    this.grid = new GridHelper(40, 80, ...theme.grid);
-    this.grid.rotateX(Math.PI / 2);
-    this.grid.position.z = -0.001;
-    this.scene.add(this.grid);
+    this.grid.setColor(theme.grid);
     this.invalidate();
   }
 
@@ -73,14 +69,16 @@ export class Stage {
     if (box.isEmpty()) box.set(new Vector3(-1, -1, 0), new Vector3(1, 1, 1));
     const { center, radius } = box.getBoundingSphere(new Sphere());
     const narrow = Math.min(1, this.camera.aspect) * Math.tan((this.camera.fov * Math.PI) / 360);
-    const distance = (1.02 * radius) / Math.sin(Math.atan(narrow));
+    const distance = (0.92 * radius) / Math.sin(Math.atan(narrow));
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(new Vector3(1, -1.15, 0.75).normalize(), distance);
     this.controls.minDistance = radius / 50;
     this.controls.maxDistance = 20 * radius;
     const reach = 2 * radius;
+    this.grid.focus(center, 4 * radius);
     Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1, far: 12 * radius });
     this.sun.shadow.camera.updateProjectionMatrix();
+    this.sun.shadow.normalBias = radius / 400;
     this.sun.target.position.copy(center);
     this.sun.position.copy(center).addScaledVector(new Vector3(0.5, -0.65, 1.3).normalize(), 5 * radius);
     this.controls.update();

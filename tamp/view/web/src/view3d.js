@@ -1,16 +1,19 @@
 // The scene at a time, or at a failed attempt.
-import { BufferGeometry, Color, Group, Line, LineBasicMaterial, MeshStandardMaterial, Vector3 } from "three";
+import { Color, Group, MeshStandardMaterial, Vector3 } from "three";
+import { Line2 } from "three/addons/lines/Line2.js";
+import { LineGeometry } from "three/addons/lines/LineGeometry.js";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { RobotModel } from "./robot_model.js";
 import { makeShapes, paint, place } from "./shapes.js";
 import { Stage } from "./stage.js";
 
 const solid = (color) => new MeshStandardMaterial({ color, roughness: 0.55, metalness: 0.05 });
-const linkMaterials = [solid(0xf2f3f5), solid(0xe0633a)];
+const linkMaterials = [solid(0xf2f3f5), solid(0x6b7688)];
 const ghostMaterial = new MeshStandardMaterial({
   color: 0xe5484d, roughness: 0.6, transparent: true, opacity: 0.34, depthWrite: false,
 });
 const faultMaterial = new MeshStandardMaterial({ color: 0xe01f2d, emissive: 0x7a0d14, roughness: 0.5 });
-const pathMaterial = new LineBasicMaterial({ color: 0x2f6fed });
+const pathMaterial = new LineMaterial({ color: 0x2f6fed, linewidth: 2, transparent: true, opacity: 0.75 });
 const mostPathPoints = 2000;
 
 export class View3d {
@@ -42,7 +45,7 @@ export class View3d {
       this.robot.root.updateMatrixWorld(true);
       this.robot.tools.forEach((tool, k) => points[k].push(new Vector3().setFromMatrixPosition(tool.matrixWorld)));
     }
-    for (const way of points) this.paths.add(new Line(new BufferGeometry().setFromPoints(way), pathMaterial));
+    for (const way of points) this.paths.add(new Line2(new LineGeometry().setFromPoints(way), pathMaterial));
     this.pathPoints = points.flat();
   }
 
