@@ -13,7 +13,8 @@ using Reason = TrajectoryDocument::Reason;
 
 Configuration whole(const CollisionProblem& problem, std::span<const double> positions) {
     Configuration configuration = problem.rest;
-    problem.robot->insert(problem.robot->groups[static_cast<std::size_t>(problem.group)], positions, configuration);
+    problem.robot->insert(problem.robot->groups[static_cast<std::size_t>(problem.group)], positions,
+                          configuration);
     return configuration;
 }
 
@@ -29,7 +30,9 @@ void append_movable(const World& world, const Contact& contact, std::vector<int>
 }  // namespace
 
 void FailureLog::keep(Reason reason, const std::string& message) {
-    const int weight = static_cast<int>(reason == Reason::kinematics ? 0 : reason == Reason::collision ? 1 : 2);
+    const int weight = static_cast<int>(reason == Reason::kinematics  ? 0
+                                        : reason == Reason::collision ? 1
+                                                                      : 2);
     if (weight <= weight_) return;
     weight_ = weight;
     failure_.reason = reason;
@@ -45,7 +48,8 @@ void FailureLog::add_unreachable(const std::string& message, bool definite) {
     failure_.definite = failure_.definite && definite;
 }
 
-void FailureLog::add_contact(CollisionChecker& checker, std::span<const double> positions, const std::string& phase) {
+void FailureLog::add_contact(CollisionChecker& checker, std::span<const double> positions,
+                             const std::string& phase) {
     const CollisionProblem& problem = checker.problem();
     std::vector<Contact> contacts;
     checker.find_contacts(positions, contacts);
@@ -57,8 +61,9 @@ void FailureLog::add_contact(CollisionChecker& checker, std::span<const double> 
         if (movable.size() == before) fixed = true;
     }
     if (!fixed) {
-        const auto known = std::ranges::find_if(
-            movable, [&](int body) { return std::ranges::find(failure_.bodies, body) != failure_.bodies.end(); });
+        const auto known = std::ranges::find_if(movable, [&](int body) {
+            return std::ranges::find(failure_.bodies, body) != failure_.bodies.end();
+        });
         if (known == movable.end()) blame(movable.front());
     }
     std::string message = phase + " is in collision";

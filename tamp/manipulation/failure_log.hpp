@@ -22,7 +22,8 @@ class FailureLog {
     /// The same for the first contact on a path.
     void add_blocked_path(CollisionChecker& checker, const Path& path, const std::string& phase);
     /// The motion planner found nothing; it met these bodies.
-    void add_no_path(const CollisionProblem& problem, const std::vector<int>& bodies, const std::string& phase);
+    void add_no_path(const CollisionProblem& problem, const std::vector<int>& bodies,
+                     const std::string& phase);
 
     ActionFailure take();
 

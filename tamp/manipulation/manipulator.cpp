@@ -32,7 +32,8 @@ const ManipulatorOptions& Manipulator::options() const {
     return implementation_->options;
 }
 
-ActionResult Manipulator::pick(const RobotState& state, int body, const Grasp& grasp, const Budget& budget) const {
+ActionResult Manipulator::pick(const RobotState& state, int body, const Grasp& grasp,
+                               const Budget& budget) const {
     const BodyState& taken = (*state.world)[body];
     if (taken.attachment) throw std::invalid_argument("body '" + taken.model->name + "' is held already");
     return SkillRun(*implementation_, state, "pick '" + taken.model->name + "'", budget).pick(body, grasp);
@@ -42,7 +43,8 @@ ActionResult Manipulator::place(const RobotState& state, int body, const Grasp& 
                                 const Budget& budget) const {
     const BodyState& put = (*state.world)[body];
     if (!put.attachment) throw std::invalid_argument("body '" + put.model->name + "' is not held");
-    return SkillRun(*implementation_, state, "place '" + put.model->name + "'", budget).place(body, grasp, pose);
+    return SkillRun(*implementation_, state, "place '" + put.model->name + "'", budget)
+        .place(body, grasp, pose);
 }
 
 }  // namespace praxis::tamp

@@ -2,9 +2,9 @@
 //
 // To pick, the robot goes with open fingers to a place before the body, approaches along the hand's axis,
 // closes its fingers, and lifts the body. To place, it carries the body to a place above its pose, lowers it,
-// opens its fingers, and draws the hand back. Of the many arm configurations for one grasp (and, with a mobile
-// base, of the many base poses) a fixed number are tried, in a fixed order; the cheap tests come first, the
-// motion planner last. A failure says which movable bodies stood in the way of all of them.
+// opens its fingers, and draws the hand back. Of the many arm configurations for one grasp (and, with a
+// mobile base, of the many base poses) a fixed number are tried, in a fixed order; the cheap tests come
+// first, the motion planner last. A failure says which movable bodies stood in the way of all of them.
 //
 // A manipulator does not change once made; the calls are independent and equal calls have equal results.
 #pragma once
@@ -20,15 +20,15 @@
 namespace praxis::tamp {
 
 struct ManipulatorOptions {
-    double approach = 0.1;   ///< metres along the hand's axis before and after the body is touched
-    double lift = 0.05;      ///< metres that a body is lifted, if there is room
-    double low_lift = 0.01;  ///< metres that it is lifted before it is drawn out where there is no room
+    double approach = 0.1;       ///< metres along the hand's axis before and after the body is touched
+    double lift = 0.05;          ///< metres that a body is lifted, if there is room
+    double low_lift = 0.01;      ///< metres that it is lifted before it is drawn out where there is no room
     int arm_configurations = 6;  ///< tried for one grasp (and base pose)
     int base_poses = 24;         ///< tried for one grasp
     double base_nearest = 0.35;  ///< metres from the base to the body, at least and at most
     double base_furthest = 0.75;
-    bool certified = true;       ///< motions are checked at four times the resolution (`motion/planner.hpp`)
-    double plan_time = 0.5;      ///< seconds for one motion; then it counts as not found
+    bool certified = true;   ///< motions are checked at four times the resolution (`motion/planner.hpp`)
+    double plan_time = 0.5;  ///< seconds for one motion; then it counts as not found
     std::uint64_t seed = 0;
 };
 
@@ -37,8 +37,9 @@ class Manipulator {
     /// `effector` is a name among the robot's end effectors (empty: the first). `base_group`: the group of a
     /// mobile base; empty: the arm stands. `carry`: positions of the arm while the base moves. Throws
     /// std::invalid_argument for names that are not there.
-    Manipulator(std::shared_ptr<const Robot> robot, const std::string& effector, const std::string& base_group,
-                const Configuration& carry, const ManipulatorOptions& options = {});
+    Manipulator(std::shared_ptr<const Robot> robot, const std::string& effector,
+                const std::string& base_group, const Configuration& carry,
+                const ManipulatorOptions& options = {});
     ~Manipulator();
     Manipulator(Manipulator&&) noexcept;
     Manipulator& operator=(Manipulator&&) noexcept;

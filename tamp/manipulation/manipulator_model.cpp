@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tamp/collision/fast_checker.hpp"
+#include "tamp/motion/straight_line.hpp"
 
 namespace praxis::tamp {
 
@@ -69,7 +70,8 @@ Configuration ManipulatorModel::fingers(double opening) const {
     const Configuration& open = *effector.open;
     const double share = std::clamp(opening / effector.max_opening, 0.0, 1.0);
     Configuration positions(closed.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = closed[i] + share * (open[i] - closed[i]);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = closed[i] + share * (open[i] - closed[i]);
     return positions;
 }
 
@@ -104,8 +106,10 @@ std::optional<Path> ManipulatorModel::straight(const Configuration& configuratio
     const Pose to = to_solver(configuration);
     Path path = {from};
     for (const Vector3& leg : legs) {
-        StraightLine line = straight_line(ik_, path.back(), to.linear() * leg);
-        if (line.fraction < 1) return std::nullopt;
+        Pose target = ik_.forward(path.back());
+        target.translation() += to.linear() * leg;
+        const StraightLine line = straight_line(ik_, path.back(), target);
+        if (line.end != LineEnd::arrived) return std::nullopt;
         path.insert(path.end(), line.path.begin() + 1, line.path.end());
     }
     return path;

@@ -9,8 +9,8 @@ namespace praxis::tamp {
 
 struct ManipulatorModel {
     /// Throws std::invalid_argument, see `Manipulator`.
-    ManipulatorModel(std::shared_ptr<const Robot> robot, const std::string& effector, const std::string& base_group,
-                     Configuration carry, const ManipulatorOptions& options);
+    ManipulatorModel(std::shared_ptr<const Robot> robot, const std::string& effector,
+                     const std::string& base_group, Configuration carry, const ManipulatorOptions& options);
 
     std::shared_ptr<const Robot> robot;
     EndEffector effector;
@@ -31,7 +31,8 @@ struct ManipulatorModel {
 
     /// Number `number` of the arm's configurations with the tool at `target`, wherever the base of
     /// `configuration` stands; the first is the one nearest to the arm's in it. Empty: there is none.
-    std::optional<Configuration> reach(const Configuration& configuration, const Pose& target, int number) const;
+    std::optional<Configuration> reach(const Configuration& configuration, const Pose& target,
+                                       int number) const;
     /// The arm's path that moves the tool from `arm` along straight lines, each by a vector in the world.
     std::optional<Path> straight(const Configuration& configuration, const Configuration& arm,
                                  std::span<const Vector3> legs) const;

@@ -38,7 +38,8 @@ ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt)
         return {std::nullopt, log_.take()};
     }
     const Group& base = model_.group(model_.base);
-    const BasePoseOptions ring{model_.options.base_nearest, model_.options.base_furthest, model_.options.base_poses};
+    const BasePoseOptions ring{model_.options.base_nearest, model_.options.base_furthest,
+                               model_.options.base_poses};
     const Configuration now = model_.robot->extract(base, begin.configuration);
     for (const Configuration& pose : make_base_poses(around, now, ring)) {
         if (out_of_budget()) break;
@@ -52,7 +53,8 @@ ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt)
         }
         model_.robot->insert(base, pose, state_.configuration);
         if (!attempt() || !fold()) continue;
-        // The drive is planned last: it takes longest, and where the arm cannot reach there is no need for it.
+        // The drive is planned last: it takes longest, and where the arm cannot reach there is no need for
+        // it.
         std::vector<MotionPiece> skill = std::move(pieces_);
         RobotState after = std::move(state_);
         state_ = begin;
@@ -199,14 +201,22 @@ bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Con
                                 .budget = budget_.within(model_.options.plan_time)};
     MotionResult found = plan_motion(checker, start, std::span(&goal, 1), options);
     switch (found.status) {
-        case MotionStatus::solved: add(kind, group, std::move(found.path)); return true;
-        case MotionStatus::start_in_collision: log_.add_contact(checker, start, "the start of " + phase); break;
-        case MotionStatus::goal_in_collision: log_.add_contact(checker, goal, "the end of " + phase); break;
+        case MotionStatus::solved:
+            add(kind, group, std::move(found.path));
+            return true;
+        case MotionStatus::start_in_collision:
+            log_.add_contact(checker, start, "the start of " + phase);
+            break;
+        case MotionStatus::goal_in_collision:
+            log_.add_contact(checker, goal, "the end of " + phase);
+            break;
         case MotionStatus::start_out_of_limits:
-        case MotionStatus::goal_out_of_limits: log_.add_unreachable(phase + " leaves the limits", true); break;
+        case MotionStatus::goal_out_of_limits:
+            log_.add_unreachable(phase + " leaves the limits", true);
+            break;
         case MotionStatus::not_found: {
             std::vector<int> bodies;
-            for (const Obstruction& met : found.obstructions) {
+            for (const Blame& met : found.blame) {
                 if (met.who.kind == Participant::Kind::body) bodies.push_back(met.who.index);
             }
             log_.add_no_path(checker.problem(), bodies, phase);
@@ -216,7 +226,8 @@ bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Con
 }
 
 std::optional<Path> SkillRun::free_line(CollisionChecker& checker, const Configuration& arm,
-                                        const std::vector<std::vector<Vector3>>& ways, const std::string& phase) {
+                                        const std::vector<std::vector<Vector3>>& ways,
+                                        const std::string& phase) {
     const auto is_free = [&](const Path& path) {
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             if (!(model_.options.certified ? checker.is_motion_certified(path[i], path[i + 1])

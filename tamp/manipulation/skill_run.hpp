@@ -1,5 +1,5 @@
-// One call of a skill: tries the ways to do it, one after the other, and keeps the pieces of motion of the one
-// that works.
+// One call of a skill: tries the ways to do it, one after the other, and keeps the pieces of motion of the
+// one that works.
 #pragma once
 
 #include <optional>

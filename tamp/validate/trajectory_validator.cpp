@@ -86,7 +86,8 @@ class Execution {
     }
 
     void execute(const Document::Segment& segment) {
-        if (segment.start < time_ - check_.tolerance) refuse("a segment starts before the last one has ended", time_);
+        if (segment.start < time_ - check_.tolerance)
+            refuse("a segment starts before the last one has ended", time_);
         if (segment.start > time_ + check_.tolerance) require_rest();
         time_ = segment.start;
         if (!segment.knots.empty()) follow(segment);
@@ -98,14 +99,16 @@ class Execution {
     void require_rest() const {
         for (std::size_t i = 0; i < velocities_.size(); ++i) {
             if (std::abs(velocities_[i]) > check_.tolerance) {
-                refuse("variable '" + robot_->variables[i].name + "' is not at rest where nothing moves it", time_);
+                refuse("variable '" + robot_->variables[i].name + "' is not at rest where nothing moves it",
+                       time_);
             }
         }
     }
 
     void follow(const Document::Segment& segment) {
         for (std::size_t i = 0; i < velocities_.size(); ++i) {
-            const bool moves = std::ranges::find(segment.variables, static_cast<int>(i)) != segment.variables.end();
+            const bool moves =
+                std::ranges::find(segment.variables, static_cast<int>(i)) != segment.variables.end();
             if (!moves && std::abs(velocities_[i]) > check_.tolerance) require_rest();
         }
         const Knot& first = segment.knots.front();
@@ -138,13 +141,15 @@ class Execution {
             const double a = from.accelerations[column];
             const std::string name = "variable '" + moved.name + "' ";
             if (std::abs(p + v * dt + a * dt * dt / 2 - to.positions[column]) > check_.tolerance ||
-                std::abs(v + a * dt - to.velocities[column]) > check_.tolerance * std::max(1.0, std::abs(a))) {
+                std::abs(v + a * dt - to.velocities[column]) >
+                    check_.tolerance * std::max(1.0, std::abs(a))) {
                 refuse(name + "does not get from one knot to the next", from.time);
             }
             const double slack = 1 + check_.limit_tolerance;
             if (std::abs(a) > moved.max_acceleration * slack) {
-                refuse(name + "accelerates by " + number(a) + ", its limit is " + number(moved.max_acceleration),
-                       from.time);
+                refuse(
+                    name + "accelerates by " + number(a) + ", its limit is " + number(moved.max_acceleration),
+                    from.time);
             }
             const double fastest = std::max(std::abs(v), std::abs(to.velocities[column]));
             if (fastest > moved.max_velocity * slack) {
