@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tamp/collision/checker.hpp"
-#include "tamp/manipulation/robot_state.hpp"
+#include "tamp/manipulation/action_motion.hpp"
 
 namespace praxis::tamp {
 

@@ -6,7 +6,11 @@
 // mobile base, of the many base poses) a fixed number are tried, in a fixed order; the cheap tests come
 // first, the motion planner last. A failure says which movable bodies stood in the way of all of them.
 //
-// A manipulator does not change once made; the calls are independent and equal calls have equal results.
+// Every skill begins and ends at the home configuration. So whether one can be done depends on what stands
+// where, and on nothing that was done before: failures can be learned from, and motions can be kept.
+// `join_motions` (join.hpp) takes the ways home out of a finished plan.
+//
+// A manipulator does not change once made; equal calls have equal results; threads may share it.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +18,7 @@
 #include <string>
 
 #include "search/budget.hpp"
-#include "tamp/manipulation/robot_state.hpp"
+#include "tamp/manipulation/action_motion.hpp"
 #include "tamp/sampling/grasps.hpp"
 
 namespace praxis::tamp {
@@ -32,13 +36,15 @@ struct ManipulatorOptions {
     std::uint64_t seed = 0;
 };
 
+struct ManipulatorModel;
+
 class Manipulator {
   public:
-    /// `effector` is a name among the robot's end effectors (empty: the first). `base_group`: the group of a
-    /// mobile base; empty: the arm stands. `carry`: positions of the arm while the base moves. Throws
-    /// std::invalid_argument for names that are not there.
-    Manipulator(std::shared_ptr<const Robot> robot, const std::string& effector,
-                const std::string& base_group, const Configuration& carry,
+    /// `effector` is a name among the robot's end effectors (empty: the first), `base_group` the group of a
+    /// mobile base (empty: the arm stands), `home` a configuration of the whole robot. Throws
+    /// std::invalid_argument for names that are not there and a home that is none.
+    Manipulator(std::shared_ptr<const Robot> robot, const Configuration& home,
+                const std::string& effector = {}, const std::string& base_group = {},
                 const ManipulatorOptions& options = {});
     ~Manipulator();
     Manipulator(Manipulator&&) noexcept;
@@ -47,16 +53,17 @@ class Manipulator {
     const Robot& robot() const;
     const EndEffector& effector() const;
     const ManipulatorOptions& options() const;
+    const ManipulatorModel& model() const { return *model_; }
 
-    /// Takes `body` from where it stands.
-    ActionResult pick(const RobotState& state, int body, const Grasp& grasp, const Budget& budget = {}) const;
-    /// Puts the body, held by `grasp`, to `pose`.
-    ActionResult place(const RobotState& state, int body, const Grasp& grasp, const Pose& pose,
-                       const Budget& budget = {}) const;
+    /// Takes `body` from where it stands in the world. `variation` gives other motions.
+    ActionResult pick(const World& world, int body, const Grasp& grasp, const Budget& budget = {},
+                      std::uint64_t variation = 0) const;
+    /// Puts the body, held by `grasp`, to `pose`; where it stands in `world` means nothing.
+    ActionResult place(const World& world, int body, const Grasp& grasp, const Pose& pose,
+                       const Budget& budget = {}, std::uint64_t variation = 0) const;
 
   private:
-    struct Implementation;
-    std::unique_ptr<const Implementation> implementation_;
+    std::unique_ptr<const ManipulatorModel> model_;
 };
 
 }  // namespace praxis::tamp

@@ -38,25 +38,28 @@ int find_carrier(const Robot& robot, const Group& arm) {
 
 }  // namespace
 
-ManipulatorModel::ManipulatorModel(std::shared_ptr<const Robot> robot_, const std::string& effector_name,
-                                   const std::string& base_group, Configuration carry_,
+ManipulatorModel::ManipulatorModel(std::shared_ptr<const Robot> robot_, Configuration home_,
+                                   const std::string& effector_name, const std::string& base_group,
                                    const ManipulatorOptions& options_)
     : robot(std::move(robot_)),
       effector(require_effector(*robot, effector_name)),
       options(options_),
       arm(require_group(*robot, effector.arm)),
-      carry(std::move(carry_)),
+      home(std::move(home_)),
       carrier_(find_carrier(*robot, group(arm))),
       carrier_at_rest_(link_pose(*robot, robot->zero(), carrier_)),
       ik_(robot, arm, effector.link, effector.tool) {
-    if (effector.open && effector.closed) gripper = require_group(*robot, effector.gripper);
+    if (home.size() != robot->dimension()) {
+        throw std::invalid_argument("the home configuration does not fit robot '" + robot->name + "'");
+    }
+    if (effector.open && effector.closed) {
+        gripper = require_group(*robot, effector.gripper);
+        robot->insert(group(gripper), *effector.open, home);
+    }
     if (base_group.empty()) return;
     base = require_group(*robot, base_group);
     if (group(base).variables.size() != 3) {
         throw std::invalid_argument("the group '" + base_group + "' of the base must have x, y and yaw");
-    }
-    if (!robot->within_limits(group(arm), carry)) {
-        throw std::invalid_argument("the posture for carrying does not fit the group '" + effector.arm + "'");
     }
 }
 
@@ -83,6 +86,10 @@ WorldPointer ManipulatorModel::near(const World& world, int body) const {
     return std::make_shared<const World>(std::move(allowed));
 }
 
+Attachment ManipulatorModel::hold(const Grasp& grasp) const {
+    return {.link = effector.link, .in_link = effector.tool * grasp.body_in_tool, .touching = effector.links};
+}
+
 Pose ManipulatorModel::tool(const Configuration& configuration) const {
     return link_pose(*robot, configuration, effector.link) * effector.tool;
 }
@@ -92,10 +99,10 @@ Pose ManipulatorModel::to_solver(const Configuration& configuration) const {
 }
 
 std::optional<Configuration> ManipulatorModel::reach(const Configuration& configuration, const Pose& target,
-                                                     int number) const {
+                                                     std::uint64_t number) const {
     IkOptions asked;
     if (number == 0) asked.start = robot->extract(group(arm), configuration);
-    asked.seed = options.seed + static_cast<std::uint64_t>(number);
+    asked.seed = options.seed + number;
     IkResult found = ik_.solve(to_solver(configuration) * target, asked);
     if (!found) return std::nullopt;
     return std::move(found.positions);

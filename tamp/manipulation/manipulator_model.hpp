@@ -9,16 +9,16 @@ namespace praxis::tamp {
 
 struct ManipulatorModel {
     /// Throws std::invalid_argument, see `Manipulator`.
-    ManipulatorModel(std::shared_ptr<const Robot> robot, const std::string& effector,
-                     const std::string& base_group, Configuration carry, const ManipulatorOptions& options);
+    ManipulatorModel(std::shared_ptr<const Robot> robot, Configuration home, const std::string& effector,
+                     const std::string& base_group, const ManipulatorOptions& options);
 
     std::shared_ptr<const Robot> robot;
     EndEffector effector;
     ManipulatorOptions options;
     int arm;
-    int base = -1;     ///< -1: the arm stands
-    int gripper = -1;  ///< -1: no fingers that move
-    Configuration carry;
+    int base = -1;       ///< -1: the arm stands
+    int gripper = -1;    ///< -1: no fingers that move
+    Configuration home;  ///< of the whole robot; the fingers are open
 
     const Group& group(int index) const { return robot->groups[static_cast<std::size_t>(index)]; }
     /// A fast checker.
@@ -27,12 +27,13 @@ struct ManipulatorModel {
     Configuration fingers(double opening) const;
     /// The world in which the hand may touch the body.
     WorldPointer near(const World& world, int body) const;
+    Attachment hold(const Grasp& grasp) const;
     Pose tool(const Configuration& configuration) const;
 
     /// Number `number` of the arm's configurations with the tool at `target`, wherever the base of
     /// `configuration` stands; the first is the one nearest to the arm's in it. Empty: there is none.
     std::optional<Configuration> reach(const Configuration& configuration, const Pose& target,
-                                       int number) const;
+                                       std::uint64_t number) const;
     /// The arm's path that moves the tool from `arm` along straight lines, each by a vector in the world.
     std::optional<Path> straight(const Configuration& configuration, const Configuration& arm,
                                  std::span<const Vector3> legs) const;

@@ -26,13 +26,17 @@ ActionResult SkillRun::pick(int body, const Grasp& grasp) {
 }
 
 ActionResult SkillRun::place(int body, const Grasp& grasp, const Pose& pose) {
+    if (model_.gripper >= 0) {
+        model_.robot->insert(model_.group(model_.gripper), model_.fingers(grasp.opening),
+                             state_.configuration);
+    }
     return from_base_poses(pose.translation(), [&] { return place_from_here(body, grasp, pose); });
 }
 
 template <class Attempt>
 ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt) {
-    const RobotState begin = state_;
-    const auto done = [&] { return ActionResult{ActionMotion{std::move(pieces_), std::move(state_)}, {}}; };
+    const State begin = state_;
+    const auto done = [&] { return ActionResult{ActionMotion{std::move(pieces_)}, {}}; };
     if (model_.base < 0) {
         if (attempt()) return done();
         return {std::nullopt, log_.take()};
@@ -52,16 +56,17 @@ ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt)
             continue;
         }
         model_.robot->insert(base, pose, state_.configuration);
-        if (!attempt() || !fold()) continue;
-        // The drive is planned last: it takes longest, and where the arm cannot reach there is no need for
-        // it.
+        if (!attempt()) continue;
+        // Drives are planned last: they take longest, and where the arm cannot reach there is no need for
+        // them.
+        const auto back = model_.checker(state_.world, model_.base, state_.configuration);
+        const Configuration home = model_.robot->extract(base, begin.configuration);
+        if (!travel(*back, Kind::base, model_.base, home, "the drive back", true)) continue;
         std::vector<MotionPiece> skill = std::move(pieces_);
-        RobotState after = std::move(state_);
         state_ = begin;
         pieces_.clear();
-        if (!travel(*checker, Kind::base, model_.base, pose, "the drive of the base")) continue;
+        if (!travel(*checker, Kind::base, model_.base, pose, "the drive of the base", true)) continue;
         std::ranges::move(skill, std::back_inserter(pieces_));
-        state_ = std::move(after);
         return done();
     }
     return {std::nullopt, log_.take()};
@@ -69,10 +74,11 @@ ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt)
 
 bool SkillRun::pick_from_here(int body, const Grasp& grasp) {
     const Pose target = (*state_.world)[body].pose * grasp.body_in_tool.inverse();
-    const RobotState begin = state_;
+    const State begin = state_;
     for (int number = 0; number < model_.options.arm_configurations; ++number) {
+        const std::uint64_t other = variation_ * 1000 + static_cast<std::uint64_t>(number);
         if (out_of_budget()) return false;
-        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, number);
+        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, other);
         if (!arm) {
             if (number == 0) log_.add_unreachable("the arm does not reach the grasp", true);
             return false;
@@ -100,9 +106,7 @@ bool SkillRun::pick_with(int body, const Grasp& grasp, const Configuration& arm)
         free_line(*near, arm, {{-model_.options.approach * approach_of(tool)}}, "the approach");
     if (!back) return false;
 
-    Attachment held{.link = model_.effector.link,
-                    .in_link = model_.effector.tool * grasp.body_in_tool,
-                    .touching = model_.effector.links};
+    Attachment held = model_.hold(grasp);
     World grasped = state_.world->with_attached(body, held);
     Configuration closed = at_grasp;
     if (model_.gripper >= 0) {
@@ -113,21 +117,22 @@ bool SkillRun::pick_with(int body, const Grasp& grasp, const Configuration& arm)
     if (!lift) return false;
 
     const auto checker = model_.checker(state_.world, group, open);
-    if (!travel(*checker, Kind::transit, group, back->back(), "the way to it")) return false;
+    if (!travel(*checker, Kind::transit, group, back->back(), "the way to it", true)) return false;
     add(Kind::approach, group, reversed(*back));
     move_fingers(grasp.opening);
     pieces_.push_back({.kind = Kind::gripper, .group = group, .attach = {{body, std::move(held)}}});
     set_world(std::move(grasped));
     add(Kind::retreat, group, *lift);
-    return true;
+    return fold(Kind::transfer);
 }
 
 bool SkillRun::place_from_here(int body, const Grasp& grasp, const Pose& pose) {
     const Pose target = pose * grasp.body_in_tool.inverse();
-    const RobotState begin = state_;
+    const State begin = state_;
     for (int number = 0; number < model_.options.arm_configurations; ++number) {
+        const std::uint64_t other = variation_ * 1000 + static_cast<std::uint64_t>(number);
         if (out_of_budget()) return false;
-        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, number);
+        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, other);
         if (!arm) {
             if (number == 0) log_.add_unreachable("the arm does not reach the place", true);
             return false;
@@ -166,18 +171,19 @@ bool SkillRun::place_with(int body, const Grasp&, const Pose& pose, const Config
         free_line(*near, arm, {{-model_.options.approach * approach_of(tool)}}, "the hand's way back");
     if (!back) return false;
 
-    if (!travel(*holding, Kind::transfer, group, up->back(), "the way to its place")) return false;
+    if (!travel(*holding, Kind::transfer, group, up->back(), "the way to its place", true)) return false;
     add(Kind::approach, group, reversed(*up));
     pieces_.push_back({.kind = Kind::gripper, .group = group, .detach = {{body, pose}}});
     set_world(std::move(released));
     move_fingers(model_.effector.max_opening);
     add(Kind::retreat, group, *back);
-    return true;
+    return fold(Kind::transit);
 }
 
-bool SkillRun::fold() {
+bool SkillRun::fold(Kind kind) {
     const auto checker = model_.checker(state_.world, model_.arm, state_.configuration);
-    return travel(*checker, Kind::transfer, model_.arm, model_.carry, "folding the arm");
+    const Configuration home = model_.robot->extract(model_.group(model_.arm), model_.home);
+    return travel(*checker, kind, model_.arm, home, "the way home", true);
 }
 
 void SkillRun::add(Kind kind, int group, Path path) {
@@ -193,16 +199,17 @@ void SkillRun::move_fingers(double opening) {
 }
 
 bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Configuration& goal,
-                      const std::string& phase) {
+                      const std::string& phase, bool homing) {
     const Configuration start = model_.robot->extract(model_.group(group), state_.configuration);
     if (start == goal) return true;
-    const MotionOptions options{.seed = model_.options.seed,
+    const MotionOptions options{.seed = model_.options.seed + variation_,
                                 .certified = model_.options.certified,
                                 .budget = budget_.within(model_.options.plan_time)};
     MotionResult found = plan_motion(checker, start, std::span(&goal, 1), options);
     switch (found.status) {
         case MotionStatus::solved:
             add(kind, group, std::move(found.path));
+            pieces_.back().homing = homing;
             return true;
         case MotionStatus::start_in_collision:
             log_.add_contact(checker, start, "the start of " + phase);

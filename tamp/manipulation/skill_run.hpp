@@ -14,14 +14,24 @@ namespace praxis::tamp {
 
 class SkillRun {
   public:
-    SkillRun(const ManipulatorModel& model, const RobotState& state, std::string what, const Budget& budget)
-        : model_(model), budget_(budget), log_(std::move(what)), state_(state) {}
+    SkillRun(const ManipulatorModel& model, WorldPointer world, std::string what, const Budget& budget,
+             std::uint64_t variation)
+        : model_(model),
+          budget_(budget),
+          variation_(variation),
+          log_(std::move(what)),
+          state_{model.home, std::move(world)} {}
 
     ActionResult pick(int body, const Grasp& grasp);
     ActionResult place(int body, const Grasp& grasp, const Pose& pose);
 
   private:
     using Kind = TrajectoryDocument::Motion;
+
+    struct State {
+        Configuration configuration;  ///< of the whole robot
+        WorldPointer world;
+    };
 
     /// Calls `attempt` where the robot is or, with a mobile base, from one base pose after the other.
     template <class Attempt>
@@ -30,14 +40,14 @@ class SkillRun {
     bool place_from_here(int body, const Grasp& grasp, const Pose& pose);
     bool pick_with(int body, const Grasp& grasp, const Configuration& arm);
     bool place_with(int body, const Grasp& grasp, const Pose& pose, const Configuration& arm);
-    /// With a mobile base: brings the arm to where it is while the base moves.
-    bool fold();
+    /// Brings the arm home.
+    bool fold(Kind kind);
 
     void add(Kind kind, int group, Path path);
     void move_fingers(double opening);
     void set_world(World world) { state_.world = std::make_shared<const World>(std::move(world)); }
     bool travel(CollisionChecker& checker, Kind kind, int group, const Configuration& goal,
-                const std::string& phase);
+                const std::string& phase, bool homing);
     /// A path along straight lines that is free, the first of several; none: the reasons are logged.
     std::optional<Path> free_line(CollisionChecker& checker, const Configuration& arm,
                                   const std::vector<std::vector<Vector3>>& ways, const std::string& phase);
@@ -46,8 +56,9 @@ class SkillRun {
 
     const ManipulatorModel& model_;
     const Budget& budget_;
+    std::uint64_t variation_;
     FailureLog log_;
-    RobotState state_;
+    State state_;
     std::vector<MotionPiece> pieces_;
 };
 

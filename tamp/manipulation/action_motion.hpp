@@ -1,4 +1,4 @@
-// Where a robot and everything around it are between two actions, and what an action does to that.
+// What a skill does, and why it cannot be done.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,23 @@
 
 namespace praxis::tamp {
 
-struct RobotState {
-    Configuration configuration = {};  ///< of the whole robot
-    WorldPointer world = {};
-};
-
 /// A motion of one group, or something that happens while nothing moves.
 struct MotionPiece {
     TrajectoryDocument::Motion kind = TrajectoryDocument::Motion::transit;
     int group = 0;
     Path path = {};  ///< from where the group is; empty: stands still
+    /// It leads from the home configuration or back to it: it may be left out where the action before or
+    /// after can be joined directly.
+    bool homing = false;
     /// What happens at its end: the body is taken, or let go at a pose in the world.
     std::optional<std::pair<int, Attachment>> attach = {};
     std::optional<std::pair<int, Pose>> detach = {};
 };
 
-/// What a skill does: pieces one after the other, each collision-free in the world as it then is.
+/// What a skill does, from the home configuration and back to it: pieces one after the other, each
+/// collision-free in the world as it then is.
 struct ActionMotion {
     std::vector<MotionPiece> pieces = {};
-    RobotState after = {};
 };
 
 /// Why a skill cannot be done.

@@ -1,0 +1,67 @@
+#include "tamp/sampling/placements.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "tamp/geometry/extent.hpp"
+
+namespace praxis::tamp {
+
+namespace {
+
+double halton(std::uint32_t index, std::uint32_t base) {
+    double result = 0;
+    double share = 1;
+    while (index > 0) {
+        share /= base;
+        result += share * (index % base);
+        index /= base;
+    }
+    return result;
+}
+
+/// The middle, then the corners, then the middles of the sides; in [-1, 1].
+constexpr std::array<std::array<double, 2>, 9> kGrid = {
+    {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+}  // namespace
+
+std::optional<Pose> make_placement(const BodyModel& body, const World& world, const Region& region,
+                                   std::uint32_t number, const PlacementOptions& options) {
+    if (number >= options.count || options.yaws.empty()) return std::nullopt;
+    const auto turns = static_cast<std::uint32_t>(options.yaws.size());
+    const double yaw = options.yaws[number % turns];
+    const Pose turned = pose_from_rpy(Vector3::Zero(), {0, 0, yaw});
+    const Extent extent = extent_of(body.shapes, turned);
+    if (extent.empty()) return std::nullopt;
+    const double room_x = (region.width - extent.size().x()) / 2 - options.margin;
+    const double room_y = (region.depth - extent.size().y()) / 2 - options.margin;
+    if (room_x < 0 || room_y < 0) return std::nullopt;
+    const std::uint32_t place = number / turns;
+    std::array<double, 2> share;
+    if (options.grid && place < kGrid.size()) {
+        share = kGrid[place];
+    } else {
+        const std::uint32_t index = place + 1;
+        share = {2 * halton(index, 2) - 1, 2 * halton(index, 3) - 1};
+    }
+    Pose in_region = turned;
+    in_region.translation() = Vector3(share[0] * room_x - extent.center().x(),
+                                      share[1] * room_y - extent.center().y(), kRestGap - extent.lower.z());
+    return region_pose(world, region) * in_region;
+}
+
+bool stands_in(const BodyModel& body, const Pose& pose, const World& world, const Region& region,
+               double height) {
+    constexpr double kTolerance = 1e-6;
+    const Pose in_region = region_pose(world, region).inverse() * pose;
+    if (in_region.linear()(2, 2) < 1 - kTolerance) return false;
+    const Extent extent = extent_of(body.shapes, in_region);
+    return extent.lower.z() >= -kTolerance && extent.lower.z() <= height + kTolerance &&
+           extent.lower.x() >= -region.width / 2 - kTolerance &&
+           extent.upper.x() <= region.width / 2 + kTolerance &&
+           extent.lower.y() >= -region.depth / 2 - kTolerance &&
+           extent.upper.y() <= region.depth / 2 + kTolerance;
+}
+
+}  // namespace praxis::tamp
