@@ -11,6 +11,7 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -28,6 +29,12 @@ using namespace praxis::tamp;
 
 constexpr double kFineStep = 1.0 / 128;
 
+/// Of the robot's joints: published figures use them, not those of its safety controller.
+const std::map<std::string, std::pair<double, double>> kHardLimits = {
+    {"panda_joint1", {-2.9671, 2.9671}}, {"panda_joint2", {-1.8326, 1.8326}}, {"panda_joint3", {-2.9671, 2.9671}},
+    {"panda_joint4", {-3.1416, 0.0873}}, {"panda_joint5", {-2.9671, 2.9671}}, {"panda_joint6", {-0.0873, 3.8223}},
+    {"panda_joint7", {-2.9671, 2.9671}}};
+
 struct Problem {
     std::string set;
     MoveItProblem moveit;
@@ -37,7 +44,10 @@ struct Problem {
 };
 
 std::vector<Problem> read_problems(const std::filesystem::path& folder, std::size_t every) {
-    const auto robot = std::make_shared<const Robot>(read_urdf((folder / "panda_spheres.urdf").string()));
+    RobotOptions robot_options;
+    robot_options.limits.position = kHardLimits;
+    const std::string urdf = (folder / "panda_spheres.urdf").string();
+    const auto robot = std::make_shared<const Robot>(read_urdf(urdf, robot_options));
     std::vector<std::filesystem::path> scenes;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (entry.path().filename().string().starts_with("scene")) scenes.push_back(entry.path());

@@ -69,21 +69,26 @@ void check_declarations(Context& context, const syntax::Tree& domain, const synt
     mark_derived(context, domain);
 }
 
-LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
-                 Reporter& reporter) {
-    LiftedTask task;
-    Context context(symbols, reporter, task);
+std::vector<TupleIndex> check_task(Context& context, const syntax::Tree& domain,
+                                   const syntax::Tree& problem) {
     refuse_contingent(context, domain);
     refuse_contingent(context, problem);
     check_head(context, domain, problem);
     check_declarations(context, domain, problem);
     check_schemas(context, domain);
     check_axioms(context, domain);
-    const std::vector<TupleIndex> initial_atoms = check_initial_state(context, problem);
+    std::vector<TupleIndex> initial_atoms = check_initial_state(context, problem);
     check_goal(context, problem);
     check_metric(context, problem);
-    check_static_goals(context, initial_atoms);
     check_requirements(context, domain, problem);
+    return initial_atoms;
+}
+
+LiftedTask check(const syntax::Tree& domain, const syntax::Tree& problem, const syntax::SymbolTable& symbols,
+                 Reporter& reporter) {
+    LiftedTask task;
+    Context context(symbols, reporter, task);
+    check_static_goals(context, check_task(context, domain, problem));
     return task;
 }
 

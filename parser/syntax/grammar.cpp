@@ -111,6 +111,7 @@ class FileParser {
     }
 
     std::string swapped_hint(const std::string& expected, std::string_view found) {
+        if (kind_ == FileKind::streams) return {};
         const bool domain_expected = kind_ == FileKind::domain;
         const Word own = domain_expected ? Word::domain : Word::problem;
         const Word other = domain_expected ? Word::problem : Word::domain;
@@ -121,7 +122,9 @@ class FileParser {
     }
 
     void parse_header() {
-        const Word kind = kind_ == FileKind::domain ? Word::domain : Word::problem;
+        const Word kind = kind_ == FileKind::domain    ? Word::domain
+                          : kind_ == FileKind::problem ? Word::problem
+                                                       : Word::stream;
         const auto set_name = [this](auto& context) { tree_.name = x3::_attr(context); };
         run(opening > word(Word::define) > opening > word(kind) > name[set_name] > closing());
     }
@@ -154,8 +157,8 @@ class FileParser {
         }
         at_ = GapParser::skip(at_ + 1, last_);
         if (at_ != last_ && !tree_.broken) {
-            const std::string what = kind_ == FileKind::domain ? "domain" : "problem";
-            reporter_.error({tree_.file, builder_.offset_of(at_), 1}, "text after the end of the " + what,
+            reporter_.error({tree_.file, builder_.offset_of(at_), 1},
+                            "text after the end of the " + std::string(describe(kind_)),
                             "is there a ')' too many before it?");
             tree_.broken = true;
         }
@@ -164,6 +167,7 @@ class FileParser {
     void parse_section() {
         Name section;
         run(opening > keyword[([&](auto& context) { section = x3::_attr(context); })]);
+        if (kind_ == FileKind::streams) return parse_stream_section(section);
         const bool domain = kind_ == FileKind::domain;
         const auto is = [&](Word wanted) { return section.symbol == wanted; };
         if (is(Word::k_requirements)) return parse_requirements(section);
@@ -331,6 +335,46 @@ class FileParser {
         };
         const auto pair = name[set_predicate] > name[add_decay];
         run(pair > *pair > closing("a predicate or ')'"));
+    }
+
+    void parse_stream_section(const Name& section) {
+        if (section.symbol == Word::k_stream) return parse_stream(section);
+        const bool test = section.symbol == Word::k_predicate;
+        if (test || section.symbol == Word::k_function) return parse_external(section, test);
+        report_unknown_section(reporter_, tree_, kind_, symbols_, section);
+        run(*(any_word | skipped) > closing("a word, '(' or ')'"));
+    }
+
+    void parse_stream(const Name& section) {
+        StreamDeclaration stream;
+        stream.keyword = section;
+        const auto set_name = [&](auto& context) { stream.name = x3::_attr(context); };
+        const auto set_inputs = [&](auto&) { stream.inputs = builder_.list(); };
+        const auto set_outputs = [&](auto&) { stream.outputs = builder_.list(); };
+        const auto add_domain = [&](auto&) { stream.domain.push_back(builder_.last()); };
+        const auto add_certified = [&](auto&) { stream.certified.push_back(builder_.last()); };
+        const auto add_fluent = [&](auto& context) { stream.fluents.push_back(x3::_attr(context)); };
+        const auto variables = opening > typed_variables;
+        const auto end_of_variables = closing("a variable or ')'");
+        run(name[set_name] >
+            *((word(Word::k_inputs) > variables > end_of_variables[set_inputs]) |
+              (word(Word::k_outputs) > variables > end_of_variables[set_outputs]) |
+              (word(Word::k_domain) > list[add_domain]) | (word(Word::k_certified) > list[add_certified]) |
+              (word(Word::k_fluents) > opening > *name[add_fluent] > closing("a predicate or ')'"))) >
+            closing("':inputs', ':domain', ':outputs', ':certified', ':fluents' or ')'"));
+        tree_.streams.streams.push_back(std::move(stream));
+    }
+
+    /// `(:function (NAME PARAMETER...) DOMAIN)`, also with `:predicate`.
+    void parse_external(const Name& section, bool test) {
+        StreamDeclaration external;
+        external.keyword = section;
+        const auto set_name = [&](auto& context) { external.name = x3::_attr(context); };
+        const auto set_inputs = [&](auto&) { external.inputs = builder_.list(); };
+        const auto add_domain = [&](auto&) { external.domain.push_back(builder_.last()); };
+        run(opening > name[set_name] > typed_variables > closing("a variable or ')'")[set_inputs] >
+            -list[add_domain] > closing());
+        (test ? tree_.streams.predicates : tree_.streams.functions).push_back(std::move(external));
     }
 
     /// The node just parsed, unless there was one of its kind before.

@@ -7,7 +7,7 @@
 
 namespace praxis::syntax {
 
-enum class FileKind { domain, problem };
+enum class FileKind { domain, problem, streams };
 
 /// The tree of one file; `file` is its number in locations. The tree refers to the source's text. Syntax
 /// errors go to the reporter; after one, parsing goes on with the next section, so that the tree is as

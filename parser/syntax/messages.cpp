@@ -1,5 +1,8 @@
 #include "parser/syntax/messages.hpp"
 
+#include <span>
+#include <utility>
+
 #include "parser/suggest.hpp"
 #include "parser/syntax/tokens.hpp"
 
@@ -18,6 +21,10 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+std::string_view describe(FileKind kind) {
+    return kind == FileKind::domain ? "domain" : kind == FileKind::problem ? "problem" : "stream file";
+}
+
 std::string describe(std::string_view found) {
     constexpr std::size_t kLongest = 60;
     const auto byte = static_cast<unsigned char>(found[0]);
@@ -31,7 +38,6 @@ std::string describe(std::string_view found) {
 
 void report_unknown_section(Reporter& reporter, const Tree& tree, FileKind kind, const SymbolTable& symbols,
                             const Name& section) {
-    const bool domain = kind == FileKind::domain;
     static constexpr Word kDomain[] = {
         Word::k_requirements, Word::k_types,        Word::k_constants,
         Word::k_predicates,   Word::k_functions,    Word::k_action,
@@ -41,20 +47,20 @@ void report_unknown_section(Reporter& reporter, const Tree& tree, FileKind kind,
     static constexpr Word kProblem[] = {Word::k_requirements, Word::k_domain,        Word::k_objects,
                                         Word::k_init,         Word::k_goal,          Word::k_metric,
                                         Word::k_hidden,       Word::k_hidden_objects};
+    static constexpr Word kStreams[] = {Word::k_stream, Word::k_function, Word::k_predicate};
+    static constexpr std::pair<FileKind, std::span<const Word>> kSections[] = {
+        {FileKind::domain, kDomain}, {FileKind::problem, kProblem}, {FileKind::streams, kStreams}};
     Suggestion suggestion(symbols.text(section.symbol));
-    bool elsewhere = false;
-    for (const Word word : kDomain) {
-        if (domain) suggestion.consider(spelling(word));
-        elsewhere = elsewhere || section.symbol == word;
+    std::string_view elsewhere;
+    for (const auto& [owner, words] : kSections) {
+        for (const Word word : words) {
+            if (owner == kind) suggestion.consider(spelling(word));
+            if (owner != kind && elsewhere.empty() && section.symbol == word) elsewhere = describe(owner);
+        }
     }
-    for (const Word word : kProblem) {
-        if (!domain) suggestion.consider(spelling(word));
-        elsewhere = elsewhere || section.symbol == word;
-    }
-    const std::string own = domain ? "domain" : "problem";
-    reporter.error(tree.where(section), "a " + own + " has no section " + quote(tree.spelled(section)),
-                   elsewhere ? std::string("it belongs into the ") + (domain ? "problem" : "domain")
-                             : suggestion.hint());
+    reporter.error(tree.where(section),
+                   "a " + std::string(describe(kind)) + " has no section " + quote(tree.spelled(section)),
+                   elsewhere.empty() ? suggestion.hint() : "it belongs into the " + std::string(elsewhere));
 }
 
 }  // namespace praxis::syntax

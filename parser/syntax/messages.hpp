@@ -9,6 +9,9 @@
 
 namespace praxis::syntax {
 
+/// "domain", "problem", "stream file".
+std::string_view describe(FileKind kind);
+
 /// A word or character as a message shows it.
 std::string describe(std::string_view found);
 

@@ -59,6 +59,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Word::count)> kS
     "at-most-one",
     "exactly-one",
     "probabilistic",
+    "stream",
     ":requirements",
     ":types",
     ":constants",
@@ -97,6 +98,13 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Word::count)> kS
     ":decay",
     ":hidden",
     ":hidden-objects",
+    ":stream",
+    ":function",
+    ":predicate",
+    ":inputs",
+    ":outputs",
+    ":certified",
+    ":fluents",
 };
 
 bool equal_folded(std::string_view word, const char* folded) {

@@ -125,6 +125,7 @@ enum class Word : std::uint32_t {
     at_most_one,
     exactly_one,
     probabilistic,
+    stream,
     // Keywords.
     k_requirements,
     k_types,
@@ -164,6 +165,13 @@ enum class Word : std::uint32_t {
     k_decay,
     k_hidden,
     k_hidden_objects,
+    k_stream,
+    k_function,
+    k_predicate,
+    k_inputs,
+    k_outputs,
+    k_certified,
+    k_fluents,
     count
 };
 

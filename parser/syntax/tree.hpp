@@ -13,6 +13,7 @@
 #include "parser/source.hpp"
 #include "parser/syntax/contingent_tree.hpp"
 #include "parser/syntax/node.hpp"
+#include "parser/syntax/stream_tree.hpp"
 
 namespace praxis::syntax {
 
@@ -65,6 +66,7 @@ struct Tree {
     std::vector<Name> refused;    ///< sections that are understood but not supported
     std::vector<Name> misplaced;  ///< `:objects` in a domain, `:constants` in a problem
     ContingentTree contingent;
+    StreamTree streams;
     bool broken = false;  ///< some section had a syntax error and is missing
 
     Location where(const Name& word) const { return {file, word.offset, word.length}; }

@@ -38,7 +38,7 @@ function literals(text) {
   for (let i = 0; i < text.length; ) {
     let end = Math.min(text.length, i + longestLiteral);
     if (end < text.length && /[\uD800-\uDBFF]/.test(text[end - 1])) --end;
-    pieces.push(`    R"${delimiter}(${text.slice(i, end)})${delimiter}",`);
+    pieces.push(`    R"${delimiter}(${text.slice(i, end)})${delimiter}"sv,`);
     i = end;
   }
   return pieces.join("\n");
@@ -52,6 +52,8 @@ writeFileSync(output, `// Made by bundle.js.
 namespace praxis::tamp {
 
 namespace {
+
+using namespace std::string_view_literals;
 
 ${arrays.join("\n")}
 }  // namespace

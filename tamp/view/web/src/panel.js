@@ -29,8 +29,9 @@ export class Panel {
   /** `onAction(index)` and `onAttempt(index)` are called when one is chosen. */
   constructor(document, tint, onAction, onAttempt) {
     this.document = document;
+    this.values = new Map(Object.entries(document.values));
     this.plan = document.plan.map((action, index) =>
-      row([[action.name, ...action.arguments.filter((word) => !(word in document.values))].join(" ")],
+      row([[action.name, ...action.arguments.filter((word) => !this.values.has(word))].join(" ")],
         `${action.start.toFixed(2)} s`, tint(action.name), () => onAction(index)));
     fillRows(byId("plan"), this.plan);
     this.attempts = document.attempts.map((attempt, index) =>
@@ -57,16 +58,16 @@ export class Panel {
 
   describe(action, motion, held) {
     if (!action) return [element("p", { className: "motion" }, "There is no plan.")];
-    const { values } = this.document;
-    const bound = [...new Set(action.arguments.filter((word) => word in values))];
+    const { values } = this;
+    const bound = [...new Set(action.arguments.filter((word) => values.has(word)))];
     return [
       element("h2", {}, "Now"),
       element("p", { className: "name" }, action.name),
       element("div", { className: "chips" }, ...action.arguments.map((word) =>
-        element("span", { className: word in values ? "chip value" : "chip" }, word))),
+        element("span", { className: values.has(word) ? "chip value" : "chip" }, word))),
       element("p", { className: "motion" }, held.length > 0 ? `${motion}, holding ${held.join(", ")}` : motion),
       element("dl", { className: "values" }, ...bound.flatMap((word) =>
-        [element("dt", {}, word), element("dd", {}, valueText(values[word]))])),
+        [element("dt", {}, word), element("dd", {}, valueText(values.get(word)))])),
     ];
   }
 

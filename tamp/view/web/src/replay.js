@@ -15,7 +15,7 @@ function lastAt(entries, time, key) {
 export class Replay {
   constructor(document) {
     this.document = document;
-    this.duration = Math.max(0, ...ends(document.plan), ...ends(document.segments));
+    this.duration = lastEnd([...document.plan, ...document.segments]);
     this.pieces = document.robot.variables.map(() => []);
     this.changes = new Map(document.bodies.map((body) => [body.name, [{ time: -Infinity, pose: body.pose }]]));
     for (const hold of document.held ?? []) this.changes.set(hold.body, [{ time: -Infinity, ...hold }]);
@@ -64,6 +64,4 @@ export class Replay {
   }
 }
 
-function* ends(parts) {
-  for (const part of parts) yield part.end;
-}
+const lastEnd = (parts) => parts.reduce((end, part) => Math.max(end, part.end), 0);

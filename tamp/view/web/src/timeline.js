@@ -46,10 +46,11 @@ export class Timeline {
     this.player.seek(((event.clientX - left) / width) * this.player.duration);
   }
 
-  /** Narrow blocks show no text. */
+  /** Narrow blocks show no text; where there are many, nothing parts them. */
   hideTexts() {
     const widths = this.blocks.map((block) => block.clientWidth);
     this.blocks.forEach((block, index) => block.classList.toggle("narrow", widths[index] < 36));
+    this.track.classList.toggle("crowded", this.track.clientWidth < 12 * this.blocks.length);
   }
 
   show(action) {

@@ -13,14 +13,26 @@ const ghostMaterial = new MeshStandardMaterial({
   color: 0xe5484d, roughness: 0.6, transparent: true, opacity: 0.34, depthWrite: false,
 });
 const faultMaterial = new MeshStandardMaterial({ color: 0xe01f2d, emissive: 0x7a0d14, roughness: 0.5 });
-const pathMaterial = new LineMaterial({ color: 0x2f6fed, linewidth: 2, transparent: true, opacity: 0.75 });
-const mostPathPoints = 2000;
+const pathMaterial = new LineMaterial({ color: 0x2f6fed, linewidth: 1.2, transparent: true, opacity: 0.35 });
+const actionPathMaterial = new LineMaterial({ color: 0x2f6fed, linewidth: 3, transparent: true, opacity: 0.9 });
+const mostPathPoints = 4000;
+
+/** Index of a link's material: another one behind each joint that moves. */
+function materialIndices(links) {
+  const indices = [];
+  for (const { parent, variable } of links)
+    indices.push(parent < 0 ? 0 : variable < 0 ? indices[parent] : 1 - indices[parent]);
+  return indices;
+}
+
+const lines = (ways, material) => ways.map((way) => new Line2(new LineGeometry().setFromPoints(way), material));
 
 export class View3d {
   constructor(canvas, document, replay) {
     this.replay = replay;
     this.stage = new Stage(canvas);
-    this.robot = new RobotModel(document.robot, (index) => linkMaterials[index % 2]);
+    this.materials = materialIndices(document.robot.links).map((index) => linkMaterials[index]);
+    this.robot = new RobotModel(document.robot, (index) => this.materials[index]);
     this.ghost = new RobotModel(document.robot, () => ghostMaterial);
     this.ghost.root.visible = false;
     this.bodies = new Map();
@@ -29,24 +41,36 @@ export class View3d {
       this.bodies.set(body.name, { body, material, object: makeShapes(body.shapes, material) });
     }
     this.paths = new Group();
+    this.actionPaths = new Group();
+    this.paths.add(this.actionPaths);
     this.stage.scene.add(this.robot.root, this.ghost.root, this.paths);
-    this.tracePaths();
+    const ways = this.toolWays(0, replay.duration, mostPathPoints);
+    this.pathPoints = ways.flat();
+    this.paths.add(...lines(ways, pathMaterial));
     this.showTime(0);
     this.fit();
   }
 
-  /** The tools' ways through the world. */
-  tracePaths() {
-    const { duration } = this.replay;
-    const count = Math.min(mostPathPoints, Math.ceil(duration * 60));
-    const points = this.robot.tools.map(() => []);
+  /** The tools' ways through the world: a list of points for each. Moves the robot. */
+  toolWays(start, end, mostPoints) {
+    const count = Math.max(1, Math.min(mostPoints, Math.ceil((end - start) * 60)));
+    const ways = this.robot.tools.map(() => []);
     for (let i = 0; i <= count; ++i) {
-      this.robot.move(this.replay.configurationAt((i / Math.max(1, count)) * duration));
+      this.robot.move(this.replay.configurationAt(start + (i / count) * (end - start)));
       this.robot.root.updateMatrixWorld(true);
-      this.robot.tools.forEach((tool, k) => points[k].push(new Vector3().setFromMatrixPosition(tool.matrixWorld)));
+      this.robot.tools.forEach((tool, k) => ways[k].push(new Vector3().setFromMatrixPosition(tool.matrixWorld)));
     }
-    for (const way of points) this.paths.add(new Line2(new LineGeometry().setFromPoints(way), pathMaterial));
-    this.pathPoints = points.flat();
+    return ways;
+  }
+
+  /** Thick lines for the current action's part of the ways. */
+  traceAction(index) {
+    if (index === this.tracedAction) return;
+    this.tracedAction = index;
+    for (const line of this.actionPaths.children) line.geometry.dispose();
+    this.actionPaths.clear();
+    const action = this.replay.document.plan[index];
+    if (action) this.actionPaths.add(...lines(this.toolWays(action.start, action.end, mostPathPoints), actionPathMaterial));
   }
 
   /** Looks at what moves, and at everything if nothing does. */
@@ -71,6 +95,7 @@ export class View3d {
 
   showTime(time) {
     this.leaveAttempt();
+    this.traceAction(this.replay.actionAt(time));
     this.robot.move(this.replay.configurationAt(time));
     this.placeBodies(this.replay.placesAt(time), this.robot);
     this.stage.invalidate();
@@ -99,7 +124,7 @@ export class View3d {
     if (!this.attempt) return;
     this.attempt = undefined;
     this.ghost.shapes.forEach((shapes) => paint(shapes, ghostMaterial));
-    this.robot.shapes.forEach((shapes, index) => paint(shapes, linkMaterials[index % 2]));
+    this.robot.shapes.forEach((shapes, index) => paint(shapes, this.materials[index]));
     for (const { object, material } of this.bodies.values()) paint(object, material);
     this.ghost.root.visible = false;
     this.robot.root.visible = true;
