@@ -223,7 +223,7 @@ bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Con
             break;
         case MotionStatus::not_found: {
             std::vector<int> bodies;
-            for (const Blame& met : found.blame) {
+            for (const Obstruction& met : found.obstructions) {
                 if (met.who.kind == Participant::Kind::body) bodies.push_back(met.who.index);
             }
             log_.add_no_path(checker.problem(), bodies, phase);

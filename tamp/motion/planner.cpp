@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tamp/motion/blame.hpp"
+#include "tamp/motion/obstructions.hpp"
 #include "tamp/motion/certify.hpp"
 #include "tamp/motion/rrt_connect.hpp"
 #include "tamp/motion/shortcut.hpp"
@@ -107,7 +107,7 @@ class MotionPlanner {
     MotionResult fail(const RrtConnectResult& found) {
         result_.status = MotionStatus::not_found;
         result_.goal = -1;
-        result_.blame = find_blame(checker_, found.blocked, options_.step);
+        result_.obstructions = find_obstructions(checker_, found.blocked, options_.step);
         return std::move(result_);
     }
 

@@ -39,7 +39,7 @@ struct MotionOptions {
 };
 
 /// Who was in the way of how many motions that were tried.
-struct Blame {
+struct Obstruction {
     Participant who;
     int count = 0;
 };
@@ -50,7 +50,7 @@ struct MotionResult {
     int goal = -1;   ///< which one the path ends at
     std::vector<Contact> contacts = {};  ///< of the start or the first goal in collision
     /// If no path was found: bodies in the way (and links, where the robot itself was), most frequent first.
-    std::vector<Blame> blame = {};
+    std::vector<Obstruction> obstructions = {};
     int iterations = 0;
     int nodes = 0;
 };

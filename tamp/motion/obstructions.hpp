@@ -11,7 +11,7 @@ namespace praxis::tamp {
 
 /// Looks at motions (pairs of ends) that the checker refuses and counts who is touched where each first collides;
 /// most frequent first. What stands still is blamed; the robot's own links only where they touch each other.
-std::vector<Blame> find_blame(CollisionChecker& checker,
+std::vector<Obstruction> find_obstructions(CollisionChecker& checker,
                               std::span<const std::pair<Configuration, Configuration>> blocked, double step);
 
 }  // namespace praxis::tamp
