@@ -32,8 +32,8 @@ void join_groups(Robot& robot, const std::string& name, const Group& first, cons
 }
 
 Robot make_mobile_arm(const CoverOptions& cover) {
-    Robot robot = make_model("platform", models::kPlatformUrdf, models::kPlatformSrdf, models::kPlatformLimits,
-                             cover);
+    Robot robot =
+        make_model("platform", models::kPlatformUrdf, models::kPlatformSrdf, models::kPlatformLimits, cover);
     robot.name = "mobile-arm7";
     mount(robot, make_arm(cover), robot.find_link("mount"), Pose::Identity());
     const Group base = robot.groups[static_cast<std::size_t>(robot.find_group("base"))];
