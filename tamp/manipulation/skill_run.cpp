@@ -1,6 +1,7 @@
 #include "tamp/manipulation/skill_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tamp/motion/planner.hpp"
 #include "tamp/sampling/base_poses.hpp"
@@ -12,6 +13,14 @@ namespace {
 Path reversed(Path path) {
     std::ranges::reverse(path);
     return path;
+}
+
+/// The planner works on floats: its ends are set to what was asked for, but for whole turns.
+void snap(Configuration& positions, const Configuration& exact) {
+    constexpr double kRounding = 1e-5;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (std::abs(positions[i] - exact[i]) < kRounding) positions[i] = exact[i];
+    }
 }
 
 Vector3 approach_of(const Pose& tool) {
@@ -208,6 +217,8 @@ bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Con
     MotionResult found = plan_motion(checker, start, std::span(&goal, 1), options);
     switch (found.status) {
         case MotionStatus::solved:
+            snap(found.path.front(), start);
+            snap(found.path.back(), goal);
             add(kind, group, std::move(found.path));
             pieces_.back().homing = homing;
             return true;
