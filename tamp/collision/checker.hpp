@@ -50,7 +50,8 @@ class CollisionChecker {
                                    double step = kCheckStep) {
         return is_motion_free(from, to, step);
     }
-    /// No contact on the straight segment at a quarter of `kCheckStep`, or, where the backend can, anywhere on it.
+    /// No contact on the straight segment at a quarter of `kCheckStep`, or, where the backend can, anywhere
+    /// on it.
     virtual bool is_motion_certified(std::span<const double> from, std::span<const double> to) {
         return is_motion_free(from, to, kCheckStep / 4);
     }

@@ -69,7 +69,8 @@ struct Stretch {
 };
 
 void require_group(const CollisionProblem& problem) {
-    if (!problem.robot || !problem.world) throw std::invalid_argument("a collision problem needs a robot and a world");
+    if (!problem.robot || !problem.world)
+        throw std::invalid_argument("a collision problem needs a robot and a world");
     if (problem.group < 0 || static_cast<std::size_t>(problem.group) >= problem.robot->groups.size()) {
         throw std::invalid_argument("there is no group number " + std::to_string(problem.group));
     }
@@ -81,9 +82,11 @@ void require_group(const CollisionProblem& problem) {
         throw std::invalid_argument("the configuration at rest is not finite");
     }
     for (const BodyState& body : problem.world->bodies()) {
-        if (body.attachment && (body.attachment->link < 0 || static_cast<std::size_t>(body.attachment->link) >=
-                                                                 problem.robot->links.size())) {
-            throw std::invalid_argument("body '" + body.model->name + "' is attached to a link that is not there");
+        if (body.attachment &&
+            (body.attachment->link < 0 ||
+             static_cast<std::size_t>(body.attachment->link) >= problem.robot->links.size())) {
+            throw std::invalid_argument("body '" + body.model->name +
+                                        "' is attached to a link that is not there");
         }
     }
 }
@@ -95,7 +98,8 @@ const CollisionProblem& checked(const CollisionProblem& problem) {
 
 /// Variables that only turn: whole turns of them change nothing.
 std::vector<bool> turning_variables(const CollisionProblem& problem) {
-    const std::vector<int>& variables = problem.robot->groups[static_cast<std::size_t>(problem.group)].variables;
+    const std::vector<int>& variables =
+        problem.robot->groups[static_cast<std::size_t>(problem.group)].variables;
     std::vector<bool> turning(variables.size(), true);
     for (const Joint& joint : problem.robot->joints) {
         const auto found = std::ranges::find(variables, joint.variable);
@@ -149,7 +153,8 @@ class FastChecker final : public CollisionChecker {
         const int first = std::max(1, static_cast<int>(std::ceil(segment.length / kFirstStretch)));
         const float width = 0.5F / static_cast<float>(first);
         open_.clear();
-        for (int i = first; i-- > 0;) open_.push_back({static_cast<float>(2 * i + 1) * width, width * 1.0001F});
+        for (int i = first; i-- > 0;)
+            open_.push_back({static_cast<float>(2 * i + 1) * width, width * 1.0001F});
         while (!open_.empty()) {
             if (!prove_some(segment, from, to)) return false;
         }
@@ -198,15 +203,17 @@ class FastChecker final : public CollisionChecker {
         return segment;
     }
 
-    bool is_segment_free(std::span<const double> from, std::span<const double> to, double step, bool with_start) {
-        if (!(step >= 1e-6)) throw std::invalid_argument("the step of a motion's check must be at least 1e-6");
+    bool is_segment_free(std::span<const double> from, std::span<const double> to, double step,
+                         bool with_start) {
+        if (!(step >= 1e-6))
+            throw std::invalid_argument("the step of a motion's check must be at least 1e-6");
         const Segment segment = make_segment(from, to);
         if (!fixed_contacts_.empty()) return false;
         const double configurations = std::ceil(segment.length / step - 1e-9) + (with_start ? 1 : 0);
         const int rakes = std::max(1, static_cast<int>(std::ceil(configurations / kLanes)));
         if (!inner_) {
-            return kernel::functions().motion_free(outer_.view, segment.from.data(), segment.change.data(), rakes,
-                                                   with_start, outer_.scratch.get());
+            return kernel::functions().motion_free(outer_.view, segment.from.data(), segment.change.data(),
+                                                   rakes, with_start, outer_.scratch.get());
         }
         for (int i = 0, turns = kernel::rake_turns(rakes); i < turns; ++i) {
             const int rake = kernel::rake_at(i, rakes);
@@ -231,21 +238,22 @@ class FastChecker final : public CollisionChecker {
     }
 
     /// Of the lanes in `doubtful`, which the covering balls say collide: does every one not?
-    bool are_free(const Positions& positions, const Aligned<kLanes>& t, unsigned doubtful, std::span<const double> from,
-                  std::span<const double> to) {
+    bool are_free(const Positions& positions, const Aligned<kLanes>& t, unsigned doubtful,
+                  std::span<const double> from, std::span<const double> to) {
         if ((inner_->collisions(positions) & doubtful) != 0) return false;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            if ((doubtful >> lane & 1U) != 0 && !is_exactly_free(from, to, static_cast<double>(t.v[lane]))) return false;
+            if ((doubtful >> lane & 1U) != 0 && !is_exactly_free(from, to, static_cast<double>(t.v[lane])))
+                return false;
         }
         return true;
     }
 
-    bool is_rake_free(const Segment& segment, std::span<const double> from, std::span<const double> to, int rake,
-                      int rakes, int first) {
+    bool is_rake_free(const Segment& segment, std::span<const double> from, std::span<const double> to,
+                      int rake, int rakes, int first) {
         Aligned<kLanes> t;
         for (int lane = 0; lane < kLanes; ++lane) {
-            t.v[static_cast<std::size_t>(lane)] =
-                static_cast<float>(lane * rakes + rake + first) / static_cast<float>(kLanes * rakes - 1 + first);
+            t.v[static_cast<std::size_t>(lane)] = static_cast<float>(lane * rakes + rake + first) /
+                                                  static_cast<float>(kLanes * rakes - 1 + first);
         }
         Positions positions;
         interpolate(segment, t, positions);
@@ -265,7 +273,8 @@ class FastChecker final : public CollisionChecker {
         }
     }
 
-    /// Takes up to eight open stretches and proves them free, or puts their halves back. False: there is a collision.
+    /// Takes up to eight open stretches and proves them free, or puts their halves back. False: there is a
+    /// collision.
     bool prove_some(const Segment& segment, std::span<const double> from, std::span<const double> to) {
         const double last = inner_ ? kLastCoveredStretch : kLastStretch;
         Aligned<kLanes> t;
@@ -278,8 +287,8 @@ class FastChecker final : public CollisionChecker {
         }
         open_.resize(open_.size() - count);
         const unsigned unproved = kernel::functions().swept_collisions(
-            outer_.view, segment.from.data(), segment.change.data(), t.v.data(), width.v.data(), speeds_.data(),
-            outer_.scratch.get());
+            outer_.view, segment.from.data(), segment.change.data(), t.v.data(), width.v.data(),
+            speeds_.data(), outer_.scratch.get());
         unsigned last_ones = 0;
         for (std::size_t lane = 0; lane < count; ++lane) {
             if ((unproved >> lane & 1U) == 0) continue;

@@ -46,12 +46,12 @@ struct Obstacle {
 
 /// Distances to what is occupied, by cells; outside of the box nothing is.
 struct Grid {
-    float axes[9];         ///< row i: axis i of the grid in the world
-    float corner[3];       ///< position of the grid's corner along its axes
-    float edge;            ///< of a cell
-    int cells[3];          ///< along each axis; x runs fastest
-    const float* distance; ///< lower bound for every point of the cell
-    float slack;           ///< added to that
+    float axes[9];          ///< row i: axis i of the grid in the world
+    float corner[3];        ///< position of the grid's corner along its axes
+    float edge;             ///< of a cell
+    int cells[3];           ///< along each axis; x runs fastest
+    const float* distance;  ///< lower bound for every point of the cell
+    float slack;            ///< added to that
 };
 
 struct Part {
@@ -91,27 +91,29 @@ struct Functions {
     /// Bit i: configuration i collides. `positions`: eight numbers a variable, variable by variable.
     unsigned (*collisions)(const Model& model, const float* positions, float* scratch);
 
-    /// No collision at 8 * rakes configurations, evenly spaced on the segment that begins at `from` and leads by
-    /// `change` to its end: with the end, and with `from` itself if `with_start`. A rake is eight configurations
-    /// spread over the whole segment; rakes come in the order that halves what is not yet seen.
-    bool (*motion_free)(const Model& model, const float* from, const float* change, int rakes, bool with_start,
-                        float* scratch);
+    /// No collision at 8 * rakes configurations, evenly spaced on the segment that begins at `from` and leads
+    /// by `change` to its end: with the end, and with `from` itself if `with_start`. A rake is eight
+    /// configurations spread over the whole segment; rakes come in the order that halves what is not yet
+    /// seen.
+    bool (*motion_free)(const Model& model, const float* from, const float* change, int rakes,
+                        bool with_start, float* scratch);
 
-    /// Bit i: the segment may collide at a place between t[i] - width[i] and t[i] + width[i] (as parts of it).
-    /// `speeds`: of every part, an upper bound on how far any of its balls moves over the whole segment. A bit
-    /// that is not set is a proof.
+    /// Bit i: the segment may collide at a place between t[i] - width[i] and t[i] + width[i] (as parts of
+    /// it). `speeds`: of every part, an upper bound on how far any of its balls moves over the whole segment.
+    /// A bit that is not set is a proof.
     unsigned (*swept_collisions)(const Model& model, const float* from, const float* change, const float* t,
                                  const float* width, const float* speeds, float* scratch);
 
-    /// Place of the point that is nearest to `query` (the first of those), and the square of its distance. Points come
-    /// in blocks of eight, aligned to 32 bytes: eight numbers of the first coordinate, eight of the second, and so on.
-    /// Coordinates with a period (above 0) are compared modulo it; `periods` may be null.
-    int (*nearest)(const float* blocks, int block_count, int dimension, const float* query, const float* periods,
-                   float* squared);
+    /// Place of the point that is nearest to `query` (the first of those), and the square of its distance.
+    /// Points come in blocks of eight, aligned to 32 bytes: eight numbers of the first coordinate, eight of
+    /// the second, and so on. Coordinates with a period (above 0) are compared modulo it; `periods` may be
+    /// null.
+    int (*nearest)(const float* blocks, int block_count, int dimension, const float* query,
+                   const float* periods, float* squared);
 };
 
-/// Rakes are looked at in the order i = 0, 1, ..., so that neighbours come late: which one at the i-th turn (-1:
-/// none), of `rake_turns` turns. Static, so that every translation unit has its own.
+/// Rakes are looked at in the order i = 0, 1, ..., so that neighbours come late: which one at the i-th turn
+/// (-1: none), of `rake_turns` turns. Static, so that every translation unit has its own.
 static inline int rake_turns(int rakes) {
     int turns = 1;
     while (turns < rakes) turns *= 2;

@@ -24,7 +24,7 @@ struct Piece {
     Participant who = {};
     int carrier = 0;  ///< the link itself, or the one that a body is attached to
     int frame = -1;
-    std::vector<Ball> balls = {};     ///< in the frame
+    std::vector<Ball> balls = {};  ///< in the frame
     Ball bound = {};
     const std::vector<int>* touching = nullptr;
 };
@@ -42,7 +42,8 @@ struct PlacedLink {
 };
 
 bool all_spheres(const std::vector<PlacedShape>& shapes) {
-    return std::ranges::all_of(shapes, [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
+    return std::ranges::all_of(shapes,
+                               [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
 }
 
 double depth(const std::vector<PlacedShape>& shapes, const Vector3& point) {
@@ -81,7 +82,9 @@ struct FlatObstacle {
 struct Flatten {
     bool upright = false;
 
-    std::optional<FlatObstacle> operator()(const Sphere& s) const { return make(kernel::sphere, {s.radius, 0, 0}); }
+    std::optional<FlatObstacle> operator()(const Sphere& s) const {
+        return make(kernel::sphere, {s.radius, 0, 0});
+    }
     std::optional<FlatObstacle> operator()(const Box& b) const {
         return make(upright ? kernel::upright_box : kernel::box, b.size / 2);
     }
@@ -92,7 +95,9 @@ struct Flatten {
         return make(kernel::capsule, {c.radius, c.length / 2, 0});
     }
     std::optional<FlatObstacle> operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
-    std::optional<FlatObstacle> operator()(const std::shared_ptr<const OccupancyMap>&) const { return std::nullopt; }
+    std::optional<FlatObstacle> operator()(const std::shared_ptr<const OccupancyMap>&) const {
+        return std::nullopt;
+    }
 
     static FlatObstacle make(kernel::ObstacleKind kind, const Vector3& size) {
         FlatObstacle result = {.kind = kind};
@@ -102,7 +107,8 @@ struct Flatten {
 };
 
 FlatObstacle flatten_at(const Shape& shape, const Pose& pose) {
-    const bool upright = std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
+    const bool upright =
+        std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
     FlatObstacle result = *std::visit(Flatten{upright}, shape);
     copy(pose.translation(), result.obstacle.center);
     copy_rows(pose.linear().transpose(), result.obstacle.axes);
@@ -178,7 +184,8 @@ class KernelModelBuilder {
     }
 
     void add_piece(Participant who, int carrier, const Pose& in_link, const std::vector<PlacedShape>& shapes,
-                   const std::vector<Ball>& balls, const std::vector<int>* touching, const std::string& name) {
+                   const std::vector<Ball>& balls, const std::vector<int>* touching,
+                   const std::string& name) {
         if (shapes.empty() && balls.empty()) return;
         const PlacedLink& link = links_[static_cast<std::size_t>(carrier)];
         const Pose pose = link.pose * in_link;
@@ -188,7 +195,8 @@ class KernelModelBuilder {
                 piece.balls.push_back({pose * s.pose.translation(), std::get<Sphere>(s.shape).radius});
             }
         } else {
-            if (balls.empty()) throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
+            if (balls.empty())
+                throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
             model_.exact_ = false;
             for (const Ball& ball : balls) {
                 const double radius = side_ == BallSide::outer ? ball.radius : depth(shapes, ball.center);
@@ -215,12 +223,14 @@ class KernelModelBuilder {
         for (int l = static_cast<int>(robot_.links.size()) - 1; l >= 0; --l) {
             const Link& link = robot_.links[static_cast<std::size_t>(l)];
             if (!wanted(l)) continue;
-            add_piece({Participant::Kind::link, l}, l, Pose::Identity(), link.collision, link.balls, nullptr, link.name);
+            add_piece({Participant::Kind::link, l}, l, Pose::Identity(), link.collision, link.balls, nullptr,
+                      link.name);
         }
     }
 
     void add_standing(Participant who, const Pose& pose, const std::vector<PlacedShape>& shapes) {
-        for (const PlacedShape& placed : shapes) standing_.push_back({who, pose * placed.pose, &placed.shape});
+        for (const PlacedShape& placed : shapes)
+            standing_.push_back({who, pose * placed.pose, &placed.shape});
     }
 
     void collect_standing() {
@@ -238,7 +248,8 @@ class KernelModelBuilder {
         for (int l = 0; l < static_cast<int>(robot_.links.size()); ++l) {
             const PlacedLink& link = links_[static_cast<std::size_t>(l)];
             if (link.frame >= 0) continue;
-            add_standing({Participant::Kind::link, l}, link.pose, robot_.links[static_cast<std::size_t>(l)].collision);
+            add_standing({Participant::Kind::link, l}, link.pose,
+                         robot_.links[static_cast<std::size_t>(l)].collision);
         }
     }
 
@@ -278,7 +289,8 @@ class KernelModelBuilder {
         }
         double center = farthest;
         for (const Standing& standing : standing_) {
-            const bool near = std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
+            const bool near =
+                std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
             if (near) center = std::max(center, standing.pose.translation().norm());
         }
         return farthest + center;
@@ -311,12 +323,14 @@ class KernelModelBuilder {
             const std::optional<Attachment>& attachment = world_[other.index].attachment;
             return attachment && touches_carrier(*attachment, piece.who.index);
         }
-        if (piece.who.kind == Participant::Kind::link) return !robot_.may_collide(piece.who.index, other.index);
+        if (piece.who.kind == Participant::Kind::link)
+            return !robot_.may_collide(piece.who.index, other.index);
         return touches_carrier(*world_[piece.who.index].attachment, other.index);
     }
 
     static bool touches_carrier(const Attachment& attachment, int link) {
-        return attachment.link == link || std::ranges::find(attachment.touching, link) != attachment.touching.end();
+        return attachment.link == link ||
+               std::ranges::find(attachment.touching, link) != attachment.touching.end();
     }
 
     bool reachable(const Piece& piece, const Standing& standing) const {
@@ -345,8 +359,8 @@ class KernelModelBuilder {
         part.first_obstacle[kernel::kObstacleKinds] = static_cast<int>(model_.obstacles_.size());
     }
 
-    /// A turn about an axis moves a point by its distance from the axis: at most the distance, across the axis, of
-    /// the next frame's origin, and then along the chain.
+    /// A turn about an axis moves a point by its distance from the axis: at most the distance, across the
+    /// axis, of the next frame's origin, and then along the chain.
     void add_levers(const Piece& piece) {
         std::vector<double> levers(group_.variables.size(), 0.0);
         double beyond = 0;
@@ -359,7 +373,8 @@ class KernelModelBuilder {
             const std::size_t at = static_cast<std::size_t>(frame);
             const kernel::Frame& flat_frame = model_.frames_[at];
             const double multiplier = std::abs(joints_[at]->multiplier);
-            levers[static_cast<std::size_t>(flat_frame.variable)] += multiplier * (flat_frame.prismatic != 0 ? 1 : across);
+            levers[static_cast<std::size_t>(flat_frame.variable)] +=
+                multiplier * (flat_frame.prismatic != 0 ? 1 : across);
             const double slide = travel(at);
             across = translations_[at].head<2>().norm() + slide + beyond;
             beyond = translations_[at].norm() + slide + beyond;
@@ -372,7 +387,8 @@ class KernelModelBuilder {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
                 const bool fixed = pieces_[i].frame == pieces_[j].frame;
-                if (fixed != (change_ == PairChange::fixed) || may_touch(pieces_[i], pieces_[j].who)) continue;
+                if (fixed != (change_ == PairChange::fixed) || may_touch(pieces_[i], pieces_[j].who))
+                    continue;
                 model_.pairs_.push_back({static_cast<int>(i), static_cast<int>(j)});
             }
         }
@@ -386,8 +402,8 @@ class KernelModelBuilder {
     PairChange change_;
     KernelModel& model_;
     std::vector<PlacedLink> links_ = {};
-    std::vector<const Joint*> joints_ = {};      ///< of every frame
-    std::vector<Vector3> translations_ = {};     ///< of every frame in its parent
+    std::vector<const Joint*> joints_ = {};   ///< of every frame
+    std::vector<Vector3> translations_ = {};  ///< of every frame in its parent
     std::vector<Piece> pieces_ = {};
     std::vector<Standing> standing_ = {};
 };

@@ -30,8 +30,8 @@ enum class PairChange : std::uint8_t {
 
 class KernelModel {
   public:
-    /// Throws std::invalid_argument where a link or an attached body has shapes but no balls, and for groups of
-    /// more than 16 variables.
+    /// Throws std::invalid_argument where a link or an attached body has shapes but no balls, and for groups
+    /// of more than 16 variables.
     KernelModel(const CollisionProblem& problem, BallSide side, PairChange change);
 
     kernel::Model view() const;
@@ -39,8 +39,8 @@ class KernelModel {
     bool exact() const { return exact_; }
     /// Metres added to (outer) or taken from (inner) radii.
     double margin() const { return margin_; }
-    /// For every part and variable of the group (part by part): an upper bound of metres that a ball's centre moves
-    /// for a radian or metre of the variable.
+    /// For every part and variable of the group (part by part): an upper bound of metres that a ball's centre
+    /// moves for a radian or metre of the variable.
     const std::vector<double>& levers() const { return levers_; }
 
   private:

@@ -1,5 +1,5 @@
-// The kernel's functions over a type `Lanes` of eight floats. The including file defines `Lanes` first; all is
-// local to it, so that code for different processors never mixes.
+// The kernel's functions over a type `Lanes` of eight floats. The including file defines `Lanes` first; all
+// is local to it, so that code for different processors never mixes.
 #pragma once
 
 #include "tamp/collision/kernel.hpp"
@@ -35,7 +35,8 @@ inline void store(const Point& point, float* to) {
 }
 
 /// a * x + b * y + c * z
-inline Lanes combine(const Lanes& a, const Lanes& x, const Lanes& b, const Lanes& y, const Lanes& c, const Lanes& z) {
+inline Lanes combine(const Lanes& a, const Lanes& x, const Lanes& b, const Lanes& y, const Lanes& c,
+                     const Lanes& z) {
     return multiply_add(a, x, multiply_add(b, y, c * z));
 }
 
@@ -44,23 +45,31 @@ inline Point combine(const Placement& p, float a, float b, float c) {
             combine(p.x.z, a, p.y.z, b, p.z.z, c)};
 }
 
-inline Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Point scaled(const Point& a, const Lanes& by) { return {a.x * by, a.y * by, a.z * by}; }
+inline Point operator+(const Point& a, const Point& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Point operator-(const Point& a, const Point& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Point scaled(const Point& a, const Lanes& by) {
+    return {a.x * by, a.y * by, a.z * by};
+}
 /// a * s + b * c
 inline Point turned(const Point& a, const Lanes& s, const Point& b, const Lanes& c) {
     return {multiply_add(a.x, s, b.x * c), multiply_add(a.y, s, b.y * c), multiply_add(a.z, s, b.z * c)};
 }
-inline Lanes squared(const Point& a) { return combine(a.x, a.x, a.y, a.y, a.z, a.z); }
+inline Lanes squared(const Point& a) {
+    return combine(a.x, a.x, a.y, a.y, a.z, a.z);
+}
 
-/// Sine and cosine: reduction to [-pi/4, pi/4] by a two-part pi/2, minimax polynomials there (error below 1e-7
-/// for |x| < 100).
+/// Sine and cosine: reduction to [-pi/4, pi/4] by a two-part pi/2, minimax polynomials there (error below
+/// 1e-7 for |x| < 100).
 inline void sine_cosine(const Lanes& x, Lanes& sine, Lanes& cosine) {
     const Lanes quadrant = rounded(x * Lanes(0.63661977F));
     const Lanes r = multiply_subtract(quadrant, -4.3711388e-8F, multiply_subtract(quadrant, 1.5707964F, x));
     const Lanes r2 = r * r;
-    const Lanes s =
-        multiply_add(r2 * r, multiply_add(r2, multiply_add(r2, -1.9515296e-4F, 8.3321608e-3F), -1.6666655e-1F), r);
+    const Lanes s = multiply_add(
+        r2 * r, multiply_add(r2, multiply_add(r2, -1.9515296e-4F, 8.3321608e-3F), -1.6666655e-1F), r);
     const Lanes c = multiply_add(
         r2 * r2, multiply_add(r2, multiply_add(r2, 2.4433157e-5F, -1.3887316e-3F), 4.1666646e-2F),
         multiply_subtract(r2, 0.5F, 1.0F));
@@ -79,7 +88,9 @@ inline Placement load_placement(const float* from) {
     return {load(from), load(from + 3 * kLanes), load(from + 6 * kLanes), load(from + 9 * kLanes)};
 }
 
-inline Point constant(float x, float y, float z) { return {x, y, z}; }
+inline Point constant(float x, float y, float z) {
+    return {x, y, z};
+}
 
 /// Placements of all frames into `placements`.
 inline void place_frames(const Model& model, const float* positions, float* placements) {
@@ -96,7 +107,8 @@ inline void place_frames(const Model& model, const float* positions, float* plac
             p = {combine(parent, r[0], r[3], r[6]), combine(parent, r[1], r[4], r[7]),
                  combine(parent, r[2], r[5], r[8]), combine(parent, t[0], t[1], t[2]) + parent.position};
         }
-        const Lanes q = multiply_add(Lanes::load(positions + frame.variable * kLanes), frame.multiplier, frame.offset);
+        const Lanes q =
+            multiply_add(Lanes::load(positions + frame.variable * kLanes), frame.multiplier, frame.offset);
         if (frame.prismatic != 0) {
             p.position = p.position + scaled(p.z, q);
         } else {
@@ -133,8 +145,7 @@ inline unsigned box_mask(const Point& p, const Obstacle& box_shape, const Lanes&
 }
 
 inline unsigned cylinder_mask(const Point& p, const Obstacle& shape, const Lanes& radius) {
-    const Lanes across =
-        maximum(root(multiply_add(p.x, p.x, p.y * p.y)) - Lanes(shape.size[0]), 0.0F);
+    const Lanes across = maximum(root(multiply_add(p.x, p.x, p.y * p.y)) - Lanes(shape.size[0]), 0.0F);
     const Lanes along = beyond(p.z, shape.size[1]);
     return not_greater(multiply_add(across, across, along * along), radius * radius);
 }
@@ -162,8 +173,8 @@ inline unsigned touches(const Obstacle& obstacle, const Point& center, const Lan
     }
 }
 
-/// The square of the distance to what is occupied is at least the square of that to the box plus the square of
-/// what the cell at the nearest point of the box says, for the box is convex and holds all.
+/// The square of the distance to what is occupied is at least the square of that to the box plus the square
+/// of what the cell at the nearest point of the box says, for the box is convex and holds all.
 inline unsigned touches(const Grid& grid, const Point& p, const Lanes& radius) {
     Lanes outside = 0.0F;
     Lanes place = 0.0F;
@@ -175,7 +186,8 @@ inline unsigned touches(const Grid& grid, const Point& p, const Lanes& radius) {
         const Lanes inside = minimum(maximum(x, 0.0F), length);
         const Lanes away = x - inside;
         outside = multiply_add(away, away, outside);
-        const Lanes cell = minimum(truncated(inside / Lanes(grid.edge)), static_cast<float>(grid.cells[i] - 1));
+        const Lanes cell =
+            minimum(truncated(inside / Lanes(grid.edge)), static_cast<float>(grid.cells[i] - 1));
         place = multiply_add(cell, static_cast<float>(stride), place);
         stride *= grid.cells[i];
     }
@@ -183,8 +195,9 @@ inline unsigned touches(const Grid& grid, const Point& p, const Lanes& radius) {
     return not_greater(multiply_add(distance, distance, outside), radius * radius);
 }
 
-/// One block of eight configurations on its way through the tests. `all`: every lane's answer is wanted; otherwise
-/// the first lane that collides ends the work. `swept`: the balls of part p are larger by growth[p] * width.
+/// One block of eight configurations on its way through the tests. `all`: every lane's answer is wanted;
+/// otherwise the first lane that collides ends the work. `swept`: the balls of part p are larger by growth[p]
+/// * width.
 template <bool all, bool swept>
 class Block {
   public:
@@ -289,7 +302,8 @@ class Block {
         return hit;
     }
 
-    static unsigned balls_touch(const Point& a, const Lanes& a_radius, const Point& b, const Lanes& b_radius) {
+    static unsigned balls_touch(const Point& a, const Lanes& a_radius, const Point& b,
+                                const Lanes& b_radius) {
         const Lanes reach = a_radius + b_radius;
         return not_greater(squared(a - b), reach * reach);
     }
@@ -300,7 +314,8 @@ class Block {
         const Point first_center = load(bounds_ + pair.first * kBallFloats);
         const Point second_center = load(bounds_ + pair.second * kBallFloats);
         const Lanes second_bound = grown(pair.second, second.bound.radius);
-        if (balls_touch(first_center, grown(pair.first, first.bound.radius), second_center, second_bound) == 0) {
+        if (balls_touch(first_center, grown(pair.first, first.bound.radius), second_center, second_bound) ==
+            0) {
             return 0;
         }
         unsigned hit = 0;
@@ -326,7 +341,8 @@ class Block {
 };
 
 /// Positions at places `t` of a segment.
-inline void interpolate(const Model& model, const float* from, const float* change, const Lanes& t, float* positions) {
+inline void interpolate(const Model& model, const float* from, const float* change, const Lanes& t,
+                        float* positions) {
     for (int v = 0; v < model.variable_count; ++v) {
         multiply_add(change[v], t, from[v]).store(positions + v * kLanes);
     }

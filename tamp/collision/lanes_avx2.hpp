@@ -10,8 +10,8 @@ struct Lanes {
     __m256 v;
 
     Lanes() = default;
-    Lanes(__m256 x) : v(x) {}                    // NOLINT
-    Lanes(float x) : v(_mm256_set1_ps(x)) {}     // NOLINT: a number stands for eight of it
+    Lanes(__m256 x) : v(x) {}                 // NOLINT
+    Lanes(float x) : v(_mm256_set1_ps(x)) {}  // NOLINT: a number stands for eight of it
     static Lanes load(const float* from) { return _mm256_load_ps(from); }
     void store(float* to) const { _mm256_store_ps(to, v); }
     /// A value of `table` for every lane, which holds its place.
@@ -20,10 +20,18 @@ struct Lanes {
     }
 };
 
-inline Lanes operator+(const Lanes& a, const Lanes& b) { return _mm256_add_ps(a.v, b.v); }
-inline Lanes operator-(const Lanes& a, const Lanes& b) { return _mm256_sub_ps(a.v, b.v); }
-inline Lanes operator*(const Lanes& a, const Lanes& b) { return _mm256_mul_ps(a.v, b.v); }
-inline Lanes operator/(const Lanes& a, const Lanes& b) { return _mm256_div_ps(a.v, b.v); }
+inline Lanes operator+(const Lanes& a, const Lanes& b) {
+    return _mm256_add_ps(a.v, b.v);
+}
+inline Lanes operator-(const Lanes& a, const Lanes& b) {
+    return _mm256_sub_ps(a.v, b.v);
+}
+inline Lanes operator*(const Lanes& a, const Lanes& b) {
+    return _mm256_mul_ps(a.v, b.v);
+}
+inline Lanes operator/(const Lanes& a, const Lanes& b) {
+    return _mm256_div_ps(a.v, b.v);
+}
 /// a * b + c
 inline Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
     return _mm256_fmadd_ps(a.v, b.v, c.v);
@@ -32,10 +40,18 @@ inline Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
 inline Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
     return _mm256_fnmadd_ps(a.v, b.v, c.v);
 }
-inline Lanes maximum(const Lanes& a, const Lanes& b) { return _mm256_max_ps(a.v, b.v); }
-inline Lanes minimum(const Lanes& a, const Lanes& b) { return _mm256_min_ps(a.v, b.v); }
-inline Lanes absolute(const Lanes& a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v); }
-inline Lanes root(const Lanes& a) { return _mm256_sqrt_ps(a.v); }
+inline Lanes maximum(const Lanes& a, const Lanes& b) {
+    return _mm256_max_ps(a.v, b.v);
+}
+inline Lanes minimum(const Lanes& a, const Lanes& b) {
+    return _mm256_min_ps(a.v, b.v);
+}
+inline Lanes absolute(const Lanes& a) {
+    return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v);
+}
+inline Lanes root(const Lanes& a) {
+    return _mm256_sqrt_ps(a.v);
+}
 /// To the nearest integer.
 inline Lanes rounded(const Lanes& a) {
     return _mm256_round_ps(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
@@ -52,7 +68,8 @@ inline unsigned not_greater(const Lanes& a, const Lanes& b) {
 inline Lanes where_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
     return _mm256_blendv_ps(y.v, x.v, _mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ));
 }
-/// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has bit 1.
+/// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has
+/// bit 1.
 inline Lanes by_quadrant(const Lanes& quadrant, int turn, const Lanes& even, const Lanes& odd) {
     const __m256i q = _mm256_cvtps_epi32(quadrant.v);
     const __m256 value = _mm256_blendv_ps(even.v, odd.v, _mm256_castsi256_ps(_mm256_slli_epi32(q, 31)));

@@ -47,9 +47,13 @@ inline Lanes operator/(const Lanes& a, const Lanes& b) {
     return each(a, b, [](float x, float y) { return x / y; });
 }
 /// a * b + c
-inline Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) { return a * b + c; }
+inline Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
+    return a * b + c;
+}
 /// c - a * b
-inline Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) { return c - a * b; }
+inline Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
+    return c - a * b;
+}
 inline Lanes maximum(const Lanes& a, const Lanes& b) {
     return each(a, b, [](float x, float y) { return x > y ? x : y; });
 }
@@ -64,7 +68,9 @@ inline Lanes root(const Lanes& a) {
 }
 /// To the nearest integer.
 inline Lanes rounded(const Lanes& a) {
-    return each(a, a, [](float x, float) { return static_cast<float>(static_cast<int>(x + (x < 0 ? -0.5F : 0.5F))); });
+    return each(a, a, [](float x, float) {
+        return static_cast<float>(static_cast<int>(x + (x < 0 ? -0.5F : 0.5F)));
+    });
 }
 /// Towards zero.
 inline Lanes truncated(const Lanes& a) {
@@ -82,7 +88,8 @@ inline Lanes where_less(const Lanes& a, const Lanes& b, const Lanes& x, const La
     for (int i = 0; i < 8; ++i) c.v[i] = a.v[i] < b.v[i] ? x.v[i] : y.v[i];
     return c;
 }
-/// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has bit 1.
+/// In every lane: where quadrant (an integer) is odd `odd`, else `even`; negated where `quadrant + turn` has
+/// bit 1.
 inline Lanes by_quadrant(const Lanes& quadrant, int turn, const Lanes& even, const Lanes& odd) {
     Lanes c;
     for (int i = 0; i < 8; ++i) {

@@ -7,8 +7,8 @@ namespace praxis::tamp::kernel {
 namespace {
 
 template <bool periodic>
-inline int nearest_of(const float* blocks, int block_count, int dimension, const float* query, const float* periods,
-                      float* squared) {
+inline int nearest_of(const float* blocks, int block_count, int dimension, const float* query,
+                      const float* periods, float* squared) {
     Lanes best = 3e38F;
     Lanes best_block = 0.0F;
     for (int b = 0; b < block_count; ++b, blocks += kLanes * dimension) {
@@ -34,7 +34,8 @@ inline int nearest_of(const float* blocks, int block_count, int dimension, const
     int place = kLanes * static_cast<int>(places[0]);
     for (int lane = 1; lane < kLanes; ++lane) {
         const int candidate = kLanes * static_cast<int>(places[lane]) + lane;
-        if (distances[lane] < distances[winner] || (distances[lane] == distances[winner] && candidate < place)) {
+        if (distances[lane] < distances[winner] ||
+            (distances[lane] == distances[winner] && candidate < place)) {
             winner = lane;
             place = candidate;
         }

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tamp/scenes/occupancy_map.hpp"
+
 namespace praxis::tamp {
 
 namespace {
@@ -64,7 +66,8 @@ Solid solid_of(const Capsule& capsule) {
     return solid;
 }
 
-GeometryPointer triangles_of(const Mesh& mesh) {
+GeometryPointer triangles_of(const std::shared_ptr<const Mesh>& pointer) {
+    const Mesh& mesh = *pointer;
     const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
     std::vector<fcl::Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
@@ -86,11 +89,58 @@ GeometryPointer triangles_of(const Mesh& mesh) {
     return model;
 }
 
+std::shared_ptr<const MapBoxes> boxes_of(const std::shared_ptr<const OccupancyMap>& map) {
+    return std::make_shared<const MapBoxes>(MapBoxes{map->boxes(), BoxTree(map->boxes())});
+}
+
 Solid solid_of(GeometryPointer mesh) {
     Solid solid;
     solid.extent = {mesh->aabb_local.min_, mesh->aabb_local.max_};
     solid.geometry = std::move(mesh);
     return solid;
+}
+
+Solid solid_of(std::shared_ptr<const MapBoxes> map) {
+    Solid solid;
+    if (!map->tree.empty()) solid.extent = map->tree.bound();
+    solid.map = std::move(map);
+    return solid;
+}
+
+bool collide(const fcl::CollisionGeometryd& first, const Pose& first_pose,
+             const fcl::CollisionGeometryd& second, const Pose& second_pose) {
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    return fcl::collide(&first, first_pose, &second, second_pose, request, result) > 0;
+}
+
+/// Calls `visit` with the boxes of a map (and where they stand) that the other's box overlaps, until it
+/// returns true.
+template <class Visit>
+bool any_box(const Solid& map, const Pose& map_pose, const AxisBox& other, const Pose& other_pose,
+             Visit&& visit) {
+    const AxisBox around = moved(other, map_pose.inverse() * other_pose);
+    return map.map->tree.any_of(around, [&](std::size_t index) {
+        const AxisBox& box = map.map->boxes[index];
+        return visit(box, map_pose * Eigen::Translation3d(box.center()));
+    });
+}
+
+bool touch_map(const Solid& map, const Pose& map_pose, const Solid& other, const Pose& other_pose) {
+    if (other.radius >= 0) {
+        const Vector3 center = map_pose.inverse() * other_pose.translation();
+        return map.map->tree.any_of(box_around(center, other.radius), [&](std::size_t index) {
+            return map.map->boxes[index].squared_distance(center) <= other.radius * other.radius;
+        });
+    }
+    return any_box(map, map_pose, other.extent, other_pose, [&](const AxisBox& box, const Pose& pose) {
+        const fcl::Boxd geometry(box.size());
+        if (!other.map) return collide(geometry, pose, *other.geometry, other_pose);
+        const AxisBox extent = {-0.5 * box.size(), 0.5 * box.size()};
+        return any_box(other, other_pose, extent, pose, [&](const AxisBox& second, const Pose& second_pose) {
+            return collide(geometry, pose, fcl::Boxd(second.size()), second_pose);
+        });
+    });
 }
 
 }  // namespace
@@ -100,10 +150,9 @@ bool touch(const Solid& first, const Pose& first_pose, const Solid& second, cons
         const double reach = first.radius + second.radius;
         return (first_pose.translation() - second_pose.translation()).squaredNorm() <= reach * reach;
     }
-    const fcl::CollisionRequestd request;
-    fcl::CollisionResultd result;
-    return fcl::collide(first.geometry.get(), first_pose, second.geometry.get(), second_pose, request,
-                        result) > 0;
+    if (first.map) return touch_map(first, first_pose, second, second_pose);
+    if (second.map) return touch_map(second, second_pose, first, first_pose);
+    return collide(*first.geometry, first_pose, *second.geometry, second_pose);
 }
 
 Ball bound_of(const std::vector<Solid>& solids) {
@@ -117,6 +166,19 @@ Ball bound_of(const std::vector<Solid>& solids) {
     return ball;
 }
 
+template <class From, class Made>
+template <class Make>
+std::shared_ptr<const Made> SolidCache::Kept<From, Made>::get(const std::shared_ptr<const From>& from,
+                                                              Make&& make) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = entries_.find(from.get());
+    if (found != entries_.end() && !found->second.from.expired()) return found->second.made;
+    std::erase_if(entries_, [](const auto& item) { return item.second.from.expired(); });
+    std::shared_ptr<const Made> made = make(from);
+    entries_.emplace(from.get(), Entry{from, made});
+    return made;
+}
+
 std::vector<Solid> SolidCache::make(const std::vector<PlacedShape>& shapes) {
     std::vector<Solid> solids;
     solids.reserve(shapes.size());
@@ -125,10 +187,11 @@ std::vector<Solid> SolidCache::make(const std::vector<PlacedShape>& shapes) {
         Solid solid = std::visit(
             [&]<class Kind>(const Kind& shape) {
                 if constexpr (std::is_same_v<Kind, std::shared_ptr<const Mesh>>) {
-                    return solid_of(of_mesh(shape));
+                    if (!shape) throw std::invalid_argument("a shape has no mesh");
+                    return solid_of(meshes_.get(shape, triangles_of));
                 } else if constexpr (std::is_same_v<Kind, std::shared_ptr<const OccupancyMap>>) {
-                    throw std::invalid_argument("maps cannot be checked");
-                    return Solid{};
+                    if (!shape) throw std::invalid_argument("a shape has no map");
+                    return solid_of(maps_.get(shape, boxes_of));
                 } else {
                     return solid_of(shape);
                 }
@@ -140,17 +203,6 @@ std::vector<Solid> SolidCache::make(const std::vector<PlacedShape>& shapes) {
         solids.push_back(std::move(solid));
     }
     return solids;
-}
-
-GeometryPointer SolidCache::of_mesh(const std::shared_ptr<const Mesh>& mesh) {
-    if (!mesh) throw std::invalid_argument("a shape has no mesh");
-    const std::scoped_lock lock(mutex_);
-    std::erase_if(meshes_, [](const auto& item) { return item.second.mesh.expired(); });
-    const auto found = meshes_.find(mesh.get());
-    if (found != meshes_.end()) return found->second.geometry;
-    GeometryPointer geometry = triangles_of(*mesh);
-    meshes_.emplace(mesh.get(), Entry{mesh, geometry});
-    return geometry;
 }
 
 }  // namespace praxis::tamp

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tamp/geometry/axis_box.hpp"
+#include "tamp/geometry/box_tree.hpp"
 #include "tamp/geometry/shape.hpp"
 
 namespace fcl {
@@ -20,9 +20,16 @@ class CollisionGeometry;
 
 namespace praxis::tamp {
 
+/// The obstacles of an occupancy map, in its frame.
+struct MapBoxes {
+    std::vector<AxisBox> boxes = {};
+    BoxTree tree = {};
+};
+
 struct Solid {
-    Pose pose = Pose::Identity();  ///< in the frame of the owner
-    std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};
+    Pose pose = Pose::Identity();                                         ///< in the frame of the owner
+    std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};  ///< none: a map
+    std::shared_ptr<const MapBoxes> map = {};
     double radius = -1;   ///< of a sphere; -1: not one
     AxisBox extent = {};  ///< of the geometry, in its own frame
     Ball bound = {};      ///< around it, in the frame of the owner
@@ -34,7 +41,7 @@ bool touch(const Solid& first, const Pose& first_pose, const Solid& second, cons
 /// Around all; radius 0 if there are none.
 Ball bound_of(const std::vector<Solid>& solids);
 
-/// Makes solids, and keeps what meshes were turned into as long as somebody uses them. Several threads may
+/// Makes solids, and keeps what meshes and maps were turned into as long as these live. Several threads may
 /// share one.
 class SolidCache {
   public:
@@ -42,14 +49,23 @@ class SolidCache {
     std::vector<Solid> make(const std::vector<PlacedShape>& shapes);
 
   private:
-    std::shared_ptr<const fcl::CollisionGeometry<double>> of_mesh(const std::shared_ptr<const Mesh>& mesh);
+    /// What was made of something that others own.
+    template <class From, class Made>
+    class Kept {
+      public:
+        template <class Make>
+        std::shared_ptr<const Made> get(const std::shared_ptr<const From>& from, Make&& make);
 
-    struct Entry {
-        std::weak_ptr<const Mesh> mesh;
-        std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;
+      private:
+        struct Entry {
+            std::weak_ptr<const From> from;
+            std::shared_ptr<const Made> made;
+        };
+        std::mutex mutex_;
+        std::unordered_map<const From*, Entry> entries_;
     };
-    std::mutex mutex_;
-    std::unordered_map<const Mesh*, Entry> meshes_;
+    Kept<Mesh, fcl::CollisionGeometry<double>> meshes_;
+    Kept<OccupancyMap, MapBoxes> maps_;
 };
 
 }  // namespace praxis::tamp

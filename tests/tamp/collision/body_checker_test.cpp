@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tamp/scenes/occupancy_map.hpp"
 #include "tests/tamp/collision/random_pose.hpp"
 
 namespace praxis::tamp {
@@ -142,6 +143,39 @@ TEST(BodyChecker, MeshesAreTheirSurface) {
     EXPECT_FALSE(touches({0.4, 0.4, 0.4}, 0.2 / std::sqrt(3.0) - 1e-4));
     EXPECT_TRUE(touches({0.2, 0.2, 0.2}, 0.21));
     EXPECT_FALSE(touches({0.2, 0.2, 0.2}, 0.19));  // inside
+}
+
+RC_GTEST_PROP(BodyChecker, MapsAreTheirVoxels, (std::uint64_t seed)) {
+    Random random(seed);
+    const VoxelGrid grid = {.origin = {-0.4, -0.4, -0.2}, .edge = 0.1, .cells = {8, 8, 4}};
+    std::vector<Occupancy> cells(grid.size(), Occupancy::free);
+    for (Occupancy& cell : cells) {
+        if (random.below(30) == 0) cell = random.below(2) == 0 ? Occupancy::occupied : Occupancy::unknown;
+    }
+    const Pose pose = random_pose(random, 0.3);
+    const std::vector<Shape> shapes = {Sphere{0.05}, Box{{0.1, 0.05, 0.2}}, Capsule{0.03, 0.2}};
+    for (const bool unknown_blocks : {true, false}) {
+        const auto map = std::make_shared<const OccupancyMap>(grid, cells, unknown_blocks);
+        const VoxelSet obstacles = map->obstacles();
+        for (const Shape& shape : shapes) {
+            const Pose place = pose * random_pose(random, 0.4);
+            bool expected = false;
+            for (int k = 0; k < 4; ++k) {
+                for (int j = 0; j < 8; ++j) {
+                    for (int i = 0; i < 8; ++i) {
+                        if (obstacles.filled[grid.index(i, j, k)] == 0) continue;
+                        const Vector3 center =
+                            Vector3(-0.4, -0.4, -0.2) + 0.1 * Vector3(i + 0.5, j + 0.5, k + 0.5);
+                        expected = expected || touching(Box{{0.1, 0.1, 0.1}},
+                                                        pose * Eigen::Translation3d(center), shape, place);
+                    }
+                }
+            }
+            RC_ASSERT(touching(map, pose, shape, place) == expected);
+            RC_ASSERT(touching(shape, place, map, pose) == expected);
+        }
+        RC_ASSERT(touching(map, pose, map, pose) == !map->boxes().empty());
+    }
 }
 
 TEST(BodyChecker, NamesWhoIsTouched) {
