@@ -48,14 +48,16 @@ void FailureLog::add_unreachable(const std::string& message, bool definite) {
     failure_.definite = failure_.definite && definite;
 }
 
-void FailureLog::add_contact(CollisionChecker& checker, std::span<const double> positions,
+bool FailureLog::add_contact(CollisionChecker& checker, std::span<const double> positions,
                              const std::string& phase) {
     const CollisionProblem& problem = checker.problem();
     std::vector<Contact> contacts;
     checker.find_contacts(positions, contacts);
     std::vector<int> movable;
     bool fixed = contacts.empty();
+    bool of_hand = false;
     for (const Contact& contact : contacts) {
+        of_hand = of_hand || is_of_hand(*problem.world, contact);
         const std::size_t before = movable.size();
         append_movable(*problem.world, contact, movable);
         if (movable.size() == before) fixed = true;
@@ -77,9 +79,23 @@ void FailureLog::add_contact(CollisionChecker& checker, std::span<const double> 
         failure_.configuration = whole(problem, positions);
         failure_.world = problem.world;
     }
+    return of_hand;
 }
 
-void FailureLog::add_blocked_path(CollisionChecker& checker, const Path& path, const std::string& phase) {
+bool FailureLog::is_of_hand(const World& world, const Contact& contact) const {
+    const auto moves_with_hand = [&](const Participant& who) {
+        if (who.kind == Participant::Kind::link)
+            return std::ranges::find(hand_links_, who.index) != hand_links_.end();
+        return world[who.index].attachment.has_value();
+    };
+    const auto stands = [&](const Participant& who) {
+        return who.kind == Participant::Kind::body && !world[who.index].attachment;
+    };
+    return (moves_with_hand(contact.first) && stands(contact.second)) ||
+           (moves_with_hand(contact.second) && stands(contact.first));
+}
+
+bool FailureLog::add_blocked_path(CollisionChecker& checker, const Path& path, const std::string& phase) {
     Configuration point = path.front();
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         double length = 0;
@@ -91,14 +107,14 @@ void FailureLog::add_blocked_path(CollisionChecker& checker, const Path& path, c
                 point[k] = path[i][k] + share * (path[i + 1][k] - path[i][k]);
             }
             if (!checker.is_free(point)) {
-                add_contact(checker, point, phase);
-                return;
+                return add_contact(checker, point, phase);
             }
         }
     }
     // Only a finer look than this one saw the contact.
     failure_.definite = false;
     keep(Reason::collision, phase + " is in collision");
+    return false;
 }
 
 void FailureLog::add_no_path(const CollisionProblem& problem, const std::vector<int>& bodies,

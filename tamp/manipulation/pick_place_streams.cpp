@@ -12,7 +12,9 @@ namespace {
 class PickPlace {
   public:
     PickPlace(std::shared_ptr<const PickPlaceScene> scene, std::shared_ptr<const Manipulator> manipulator)
-        : scene_(std::move(scene)), manipulator_(std::move(manipulator)), standing_(fixed_part(scene_->world)) {
+        : scene_(std::move(scene)),
+          manipulator_(std::move(manipulator)),
+          standing_(fixed_part(scene_->world)) {
         for (const BodyState& body : scene_->world.bodies()) {
             grasps_.push_back(body.model->movable
                                   ? make_grasps(*body.model, manipulator_->effector(), scene_->grasps)
@@ -23,8 +25,9 @@ class PickPlace {
     StreamResult grasp(const StreamCall& call) const {
         const auto& grasps = grasps_[static_cast<std::size_t>(body(call.inputs[0]))];
         if (call.attempt < grasps.size()) return StreamResult::sample({Value::of(grasps[call.attempt])});
-        return StreamResult::exhausted({.reason = Reason::kinematics,
-                                        .message = "the hand has no grasp of '" + call.inputs[0].name() + "'"});
+        return StreamResult::exhausted(
+            {.reason = Reason::kinematics,
+             .message = "the hand has no grasp of '" + call.inputs[0].name() + "'"});
     }
 
     StreamResult placement(const StreamCall& call) const {
@@ -34,11 +37,12 @@ class PickPlace {
         if (call.attempt >= scene_->placements.count) {
             return StreamResult::exhausted({.message = "there is no place for " + names});
         }
-        const std::optional<Pose> pose = make_placement(*scene_->world[moved].model, scene_->world, where, call.attempt,
-                                                        scene_->placements);
+        const std::optional<Pose> pose = make_placement(*scene_->world[moved].model, scene_->world, where,
+                                                        call.attempt, scene_->placements);
         if (!pose) return StreamResult::reject({.message = "there is no room for " + names});
         if (!standing_.is_free(moved, *pose, movable_)) {
-            return StreamResult::reject({.reason = Reason::collision, .message = "no free place for " + names});
+            return StreamResult::reject(
+                {.reason = Reason::collision, .message = "no free place for " + names});
         }
         return StreamResult::sample({Value::of(*pose)});
     }
@@ -46,7 +50,8 @@ class PickPlace {
     StreamResult pick(const StreamCall& call) const {
         const int taken = body(call.inputs[0]);
         const World world = world_at(call.fluents).with_pose(taken, call.inputs[1].get<Pose>());
-        return answer(call, manipulator_->pick(world, taken, call.inputs[2].get<Grasp>(), call.budget, call.attempt));
+        return answer(
+            call, manipulator_->pick(world, taken, call.inputs[2].get<Grasp>(), call.budget, call.attempt));
     }
 
     StreamResult place(const StreamCall& call) const {
@@ -83,7 +88,8 @@ class PickPlace {
     World world_at(std::span<const FluentAtom> fluents) const {
         World world = scene_->world;
         for (const FluentAtom& atom : fluents) {
-            if (atom.predicate == "at") world = world.with_pose(body(atom.arguments[0]), atom.arguments[1].get<Pose>());
+            if (atom.predicate == "at")
+                world = world.with_pose(body(atom.arguments[0]), atom.arguments[1].get<Pose>());
         }
         return world;
     }
@@ -118,10 +124,13 @@ void bind_pick_place(StreamLibrary& library, std::shared_ptr<const PickPlaceScen
     constexpr std::uint32_t kMotionTries = 3;
     const auto skills = std::make_shared<const PickPlace>(std::move(scene), std::move(manipulator));
     library.bind("sample-grasp", [skills](StreamCall& call) { return skills->grasp(call); }, {.effort = 1});
-    library.bind("sample-placement", [skills](StreamCall& call) { return skills->placement(call); }, {.effort = 3});
+    library.bind("sample-placement", [skills](StreamCall& call) { return skills->placement(call); },
+                 {.effort = 3});
     const StreamInfo motion{.effort = 1000, .max_samples = 1, .max_attempts = kMotionTries};
-    library.bind("plan-pick", [skills](StreamCall& call) { return skills->pick(call); }, motion);
-    library.bind("plan-place", [skills](StreamCall& call) { return skills->place(call); }, motion);
+    library.bind(
+        "plan-pick", [skills](StreamCall& call) { return skills->pick(call); }, motion);
+    library.bind(
+        "plan-place", [skills](StreamCall& call) { return skills->place(call); }, motion);
 }
 
 }  // namespace praxis::tamp

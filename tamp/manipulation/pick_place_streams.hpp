@@ -3,12 +3,12 @@
 // | stream | inputs | outputs | what it gives |
 // | --- | --- | --- | --- |
 // | `sample-grasp` | body | grasp | `make_grasps`, in their order |
-// | `sample-placement` | body, region | pose | `make_placement`, those that touch nothing that cannot be moved |
-// | `plan-pick` | body, pose, grasp | motion | `Manipulator::pick` |
-// | `plan-place` | body, pose, grasp | motion | `Manipulator::place` |
+// | `sample-placement` | body, region | pose | `make_placement`, those that touch nothing that cannot be
+// moved | | `plan-pick` | body, pose, grasp | motion | `Manipulator::pick` | | `plan-place` | body, pose,
+// grasp | motion | `Manipulator::place` |
 //
-// The last two have `:fluents (at)`: atoms `(at BODY POSE)` say where movable bodies stand; one without such an
-// atom is held or of no concern. Values: `Pose` for poses, `Grasp` for grasps, `ActionMotion` for motions.
+// The last two have `:fluents (at)`: atoms `(at BODY POSE)` say where movable bodies stand; one without such
+// an atom is held or of no concern. Values: `Pose` for poses, `Grasp` for grasps, `ActionMotion` for motions.
 // Pictures of failures are of type `ActionFailure`.
 #pragma once
 
@@ -24,7 +24,7 @@
 namespace praxis::tamp {
 
 struct PickPlaceScene {
-    World world = {};  ///< as it is at first
+    World world = {};                                     ///< as it is at first
     std::map<std::string, int, std::less<>> bodies = {};  ///< by name in PDDL
     std::map<std::string, Region, std::less<>> regions = {};
     GraspOptions grasps = {};

@@ -55,7 +55,7 @@ ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt)
                                model_.options.base_poses};
     const Configuration now = model_.robot->extract(base, begin.configuration);
     for (const Configuration& pose : make_base_poses(around, now, ring)) {
-        if (out_of_budget()) break;
+        if (out_of_budget() || hopeless_) break;
         state_ = begin;
         pieces_.clear();
         if (!model_.robot->within_limits(base, pose)) continue;
@@ -95,6 +95,7 @@ bool SkillRun::pick_from_here(int body, const Grasp& grasp) {
         state_ = begin;
         pieces_.clear();
         if (pick_with(body, grasp, *arm)) return true;
+        if (hopeless_) return false;
     }
     return false;
 }
@@ -105,8 +106,7 @@ bool SkillRun::pick_with(int body, const Grasp& grasp, const Configuration& arm)
     const Configuration open = state_.configuration;
     const auto near = model_.checker(model_.near(*state_.world, body), group, open);
     if (!near->is_free(arm)) {
-        log_.add_contact(*near, arm, "the grasp");
-        return false;
+        return refuse(*near, arm, "the grasp");
     }
     Configuration at_grasp = open;
     model_.robot->insert(model_.group(group), arm, at_grasp);
@@ -149,6 +149,7 @@ bool SkillRun::place_from_here(int body, const Grasp& grasp, const Pose& pose) {
         state_ = begin;
         pieces_.clear();
         if (place_with(body, grasp, pose, *arm)) return true;
+        if (hopeless_) return false;
     }
     return false;
 }
@@ -157,8 +158,7 @@ bool SkillRun::place_with(int body, const Grasp&, const Pose& pose, const Config
     const int group = model_.arm;
     const auto holding = model_.checker(state_.world, group, state_.configuration);
     if (!holding->is_free(arm)) {
-        log_.add_contact(*holding, arm, "the place");
-        return false;
+        return refuse(*holding, arm, "the place");
     }
     Configuration at_place = state_.configuration;
     model_.robot->insert(model_.group(group), arm, at_place);
@@ -173,8 +173,7 @@ bool SkillRun::place_with(int body, const Grasp&, const Pose& pose, const Config
     }
     const auto near = model_.checker(model_.near(released, body), group, open);
     if (!near->is_free(arm)) {
-        log_.add_contact(*near, arm, "the hand as it opens");
-        return false;
+        return refuse(*near, arm, "the hand as it opens");
     }
     const std::optional<Path> back =
         free_line(*near, arm, {{-model_.options.approach * approach_of(tool)}}, "the hand's way back");
@@ -263,7 +262,7 @@ std::optional<Path> SkillRun::free_line(CollisionChecker& checker, const Configu
         if (!blocked) blocked = std::move(path);
     }
     if (blocked) {
-        log_.add_blocked_path(checker, *blocked, phase);
+        hopeless_ = log_.add_blocked_path(checker, *blocked, phase) && ways.size() == 1;
     } else {
         log_.add_unreachable("the arm cannot make " + phase, true);
     }
@@ -274,6 +273,11 @@ std::optional<Path> SkillRun::free_line(CollisionChecker& checker, const Configu
 std::vector<std::vector<Vector3>> SkillRun::ways_up(const Vector3& approach) const {
     const Vector3 back = -model_.options.approach * approach;
     return {{{0, 0, model_.options.lift}}, {{0, 0, model_.options.low_lift}, back}, {back}};
+}
+
+bool SkillRun::refuse(CollisionChecker& checker, const Configuration& positions, const std::string& phase) {
+    hopeless_ = log_.add_contact(checker, positions, phase);
+    return false;
 }
 
 bool SkillRun::out_of_budget() {

@@ -19,7 +19,7 @@ class SkillRun {
         : model_(model),
           budget_(budget),
           variation_(variation),
-          log_(std::move(what)),
+          log_(std::move(what), model.effector.links),
           state_{model.home, std::move(world)} {}
 
     ActionResult pick(int body, const Grasp& grasp);
@@ -54,12 +54,17 @@ class SkillRun {
     std::vector<std::vector<Vector3>> ways_up(const Vector3& approach) const;
     bool out_of_budget();
 
+    /// Bookkeeping of a way that fails: false.
+    bool refuse(CollisionChecker& checker, const Configuration& positions, const std::string& phase);
+
     const ManipulatorModel& model_;
     const Budget& budget_;
     std::uint64_t variation_;
     FailureLog log_;
     State state_;
     std::vector<MotionPiece> pieces_;
+    /// The hand itself, at its target, touches something: other positions of the arm do not help.
+    bool hopeless_ = false;
 };
 
 }  // namespace praxis::tamp

@@ -30,14 +30,15 @@ std::optional<Pose> make_placement(const BodyModel& body, const World& world, co
                                    std::uint32_t number, const PlacementOptions& options) {
     if (number >= options.count || options.yaws.empty()) return std::nullopt;
     const auto turns = static_cast<std::uint32_t>(options.yaws.size());
-    const double yaw = options.yaws[number % turns];
+    const std::uint32_t places = (options.count + turns - 1) / turns;
+    const double yaw = options.yaws[number / places];
     const Pose turned = pose_from_rpy(Vector3::Zero(), {0, 0, yaw});
     const Extent extent = extent_of(body.shapes, turned);
     if (extent.empty()) return std::nullopt;
     const double room_x = (region.width - extent.size().x()) / 2 - options.margin;
     const double room_y = (region.depth - extent.size().y()) / 2 - options.margin;
     if (room_x < 0 || room_y < 0) return std::nullopt;
-    const std::uint32_t place = number / turns;
+    const std::uint32_t place = number % places;
     std::array<double, 2> share;
     if (options.grid && place < kGrid.size()) {
         share = kGrid[place];
