@@ -104,6 +104,19 @@ TEST(SceneFile, ReadsRobotBodiesAndNames) {
     EXPECT_FALSE(scene.robot->may_collide(scene.robot->find_link("link1"), scene.robot->find_link("link4")));
 }
 
+/// The indented block at the top of docs/scene-format.md.
+TEST(SceneFile, TheManualsExampleStartsWell) {
+    std::ifstream manual(std::string(PRAXIS_SOURCE_DIR) + "/docs/scene-format.md");
+    std::string example;
+    for (std::string line; std::getline(manual, line);) {
+        if (line.starts_with("    ")) example += line.substr(4) + '\n';
+        if (line.starts_with("Whatever")) break;
+    }
+    const Scene scene = read(example);
+    EXPECT_EQ(scene.world->size(), 2U);
+    EXPECT_EQ(check_scene(scene), std::vector<std::string>{});
+}
+
 TEST(SceneFile, BodiesStandOnSurfaces) {
     const Scene scene = read(kScene);
     // The table is turned by a right angle: its surface's x axis is the world's y axis.
