@@ -1,10 +1,11 @@
-// Motion planning on the MotionBenchMaker problems (Chamzas et al. 2022): processor time of plans, of plans with
-// shortcuts and of certified plans, and how many paths the exact checker refuses at 1/128 rad.
+// Motion planning on the MotionBenchMaker problems (Chamzas et al. 2022): processor time of plans, of plans
+// with shortcuts and of certified plans, and how many paths the exact checker refuses at 1/128 rad.
 //
-//     mbm_bench FOLDER [SEEDS] [EVERY]
+//     mbm_bench FOLDER [SEEDS] [EVERY] [MODE]
 //
-// FOLDER holds panda_spheres.urdf and folders of scene*.yaml and request*.yaml. SEEDS (10): runs of every problem;
-// EVERY (1): only each EVERY-th problem.
+// FOLDER holds panda_spheres.urdf and folders of scene*.yaml and request*.yaml. SEEDS (10): runs of every
+// problem; EVERY (1): only each EVERY-th problem. MODE: only this one, without checks by the exact checker:
+// plan, shortcuts, certified or both (default: all).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -31,8 +32,9 @@ constexpr double kFineStep = 1.0 / 128;
 
 /// Of the robot's joints: published figures use them, not those of its safety controller.
 const std::map<std::string, std::pair<double, double>> kHardLimits = {
-    {"panda_joint1", {-2.9671, 2.9671}}, {"panda_joint2", {-1.8326, 1.8326}}, {"panda_joint3", {-2.9671, 2.9671}},
-    {"panda_joint4", {-3.1416, 0.0873}}, {"panda_joint5", {-2.9671, 2.9671}}, {"panda_joint6", {-0.0873, 3.8223}},
+    {"panda_joint1", {-2.9671, 2.9671}}, {"panda_joint2", {-1.8326, 1.8326}},
+    {"panda_joint3", {-2.9671, 2.9671}}, {"panda_joint4", {-3.1416, 0.0873}},
+    {"panda_joint5", {-2.9671, 2.9671}}, {"panda_joint6", {-0.0873, 3.8223}},
     {"panda_joint7", {-2.9671, 2.9671}}};
 
 struct Problem {
@@ -60,9 +62,13 @@ std::vector<Problem> read_problems(const std::filesystem::path& folder, std::siz
             read_moveit_problem(robot, praxis::read_source(scenes[i].string()),
                                 praxis::read_source((scenes[i].parent_path() / request).string()));
         const CollisionProblem collision = {moveit.robot, moveit.world, moveit.group, moveit.start};
-        Problem problem = {scenes[i].parent_path().filename().string(), moveit, make_fast_checker(collision),
-                           make_fcl_checker(collision), {}};
-        problem.start = moveit.robot->extract(moveit.robot->groups[static_cast<std::size_t>(moveit.group)], moveit.start);
+        Problem problem = {scenes[i].parent_path().filename().string(),
+                           moveit,
+                           make_fast_checker(collision),
+                           make_fcl_checker(collision),
+                           {}};
+        problem.start =
+            moveit.robot->extract(moveit.robot->groups[static_cast<std::size_t>(moveit.group)], moveit.start);
         problems.push_back(std::move(problem));
     }
     return problems;
@@ -84,12 +90,13 @@ struct Tally {
         std::ranges::sort(times);
         const auto at = [&](double part) {
             if (times.empty()) return 0.0;
-            return times[std::min(times.size() - 1, static_cast<std::size_t>(part * static_cast<double>(times.size())))];
+            return times[std::min(times.size() - 1,
+                                  static_cast<std::size_t>(part * static_cast<double>(times.size())))];
         };
         const double count = std::max(1.0, static_cast<double>(times.size()));
         const double sum = std::accumulate(times.begin(), times.end(), 0.0);
-        std::printf("| %-22s | %4zu/%4d | %7.1f | %7.1f | %7.1f | %6.2f | %4d |\n", name.c_str(), times.size(), runs,
-                    at(0.5), sum / count, at(0.95), length / count, refused);
+        std::printf("| %-22s | %4zu/%4d | %7.1f | %7.1f | %7.1f | %6.2f | %4d |\n", name.c_str(),
+                    times.size(), runs, at(0.5), sum / count, at(0.95), length / count, refused);
         std::fflush(stdout);
     }
 };
@@ -103,6 +110,7 @@ bool refused(CollisionChecker& exact, const Path& path) {
 
 struct Mode {
     std::string name;
+    std::string title;
     bool shorten;
     bool certified;
     bool check;
@@ -130,23 +138,30 @@ void measure(Problem& problem, const Mode& mode, std::uint64_t seed, Tally& tall
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::cerr << "usage: mbm_bench FOLDER [SEEDS] [EVERY]\n";
+        std::cerr << "usage: mbm_bench FOLDER [SEEDS] [EVERY] [MODE]\n";
         return 2;
     }
     const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10;
     const std::size_t every = argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 1;
     std::vector<Problem> problems = read_problems(argv[1], every);
     std::erase_if(problems, [](Problem& problem) {
-        return !problem.exact->is_free(problem.start) || !problem.exact->is_free(problem.moveit.goals.front());
+        return !problem.exact->is_free(problem.start) ||
+               !problem.exact->is_free(problem.moveit.goals.front());
     });
     std::cout << problems.size() << " problems with free start and goal, " << seeds << " seeds\n"
-              << "| mode                   | solved    | median  | mean    | p95 us  | length | refused at 1/128 |\n";
-    for (const Mode& mode : {Mode{"plan", false, false, false}, Mode{"plan + shortcuts", true, false, true},
-                             Mode{"certified", false, true, true}, Mode{"certified + shortcuts", true, true, true}}) {
+              << "| mode                   | solved    | median  | mean    | p95 us  | length | refused at "
+                 "1/128 |\n";
+    const std::string only = argc > 4 ? argv[4] : "";
+    for (Mode mode :
+         {Mode{"plan", "plan", false, false, false}, Mode{"shortcuts", "plan + shortcuts", true, false, true},
+          Mode{"certified", "certified", false, true, true},
+          Mode{"both", "certified + shortcuts", true, true, true}}) {
+        if (!only.empty() && only != mode.name) continue;
+        mode.check = mode.check && only.empty();
         Tally all;
         for (std::uint64_t seed = 0; seed < seeds; ++seed) {
             for (Problem& problem : problems) measure(problem, mode, seed, all);
         }
-        all.print(mode.name);
+        all.print(mode.title);
     }
 }

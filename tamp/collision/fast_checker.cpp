@@ -117,8 +117,7 @@ class FastChecker final : public CollisionChecker {
         : problem_(checked(problem)),
           cache_(std::move(cache)),
           turning_(turning_variables(problem_)),
-          outer_(problem_, BallSide::outer, PairChange::moving),
-          speeds_((outer_.model.levers().size() / turning_.size()) + 1) {
+          outer_(problem_, BallSide::outer, PairChange::moving) {
         if (!outer_.model.exact()) inner_.emplace(problem_, BallSide::inner, PairChange::moving);
         Side fixed(problem_, BallSide::outer, PairChange::fixed);
         if (fixed.collisions(Positions{}) != 0) fixed_contacts_ = exact().fixed_contacts();
@@ -149,7 +148,7 @@ class FastChecker final : public CollisionChecker {
     bool is_motion_certified(std::span<const double> from, std::span<const double> to) override {
         const Segment segment = make_segment(from, to);
         if (!fixed_contacts_.empty()) return false;
-        set_speeds(segment);
+        kernel::functions().speeds(outer_.view, segment.change.data(), speeds_.v.data());
         const int first = std::max(1, static_cast<int>(std::ceil(segment.length / kFirstStretch)));
         const float width = 0.5F / static_cast<float>(first);
         open_.clear();
@@ -261,18 +260,6 @@ class FastChecker final : public CollisionChecker {
         return doubtful == 0 || are_free(positions, t, doubtful, from, to);
     }
 
-    void set_speeds(const Segment& segment) {
-        const std::vector<double>& levers = outer_.model.levers();
-        const std::size_t variables = turning_.size();
-        for (std::size_t part = 0; part * variables < levers.size(); ++part) {
-            double speed = 0;
-            for (std::size_t v = 0; v < variables; ++v) {
-                speed += levers[part * variables + v] * std::abs(static_cast<double>(segment.change[v]));
-            }
-            speeds_[part] = static_cast<float>(speed * (1 + 1e-6));
-        }
-    }
-
     /// Takes up to eight open stretches and proves them free, or puts their halves back. False: there is a
     /// collision.
     bool prove_some(const Segment& segment, std::span<const double> from, std::span<const double> to) {
@@ -288,7 +275,7 @@ class FastChecker final : public CollisionChecker {
         open_.resize(open_.size() - count);
         const unsigned unproved = kernel::functions().swept_collisions(
             outer_.view, segment.from.data(), segment.change.data(), t.v.data(), width.v.data(),
-            speeds_.data(), outer_.scratch.get());
+            speeds_.v.data(), outer_.scratch.get());
         unsigned last_ones = 0;
         for (std::size_t lane = 0; lane < count; ++lane) {
             if ((unproved >> lane & 1U) == 0) continue;
@@ -312,7 +299,7 @@ class FastChecker final : public CollisionChecker {
     std::vector<bool> turning_;
     Side outer_;
     std::optional<Side> inner_ = {};
-    std::vector<float> speeds_;
+    Aligned<kernel::kMaxParts> speeds_ = {};
     std::vector<Stretch> open_ = {};
     Configuration point_ = {};
     std::unique_ptr<CollisionChecker> exact_ = {};

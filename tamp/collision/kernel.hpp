@@ -80,7 +80,18 @@ struct Model {
     const Obstacle* obstacles;
     const Grid* grids;
     const PartPair* pairs;
+    /// For each variable of the group, and then for each part (padded to `lever_stride`): at least the metres
+    /// that a ball's centre of the part moves for a radian or metre of the variable. Aligned to 32 bytes.
+    const float* levers;
 };
+
+/// Limits of a model: parts, and variables of a group.
+inline constexpr int kMaxParts = 256;
+inline constexpr int kMaxVariables = 16;
+
+static inline int lever_stride(int part_count) {
+    return (part_count + kLanes - 1) / kLanes * kLanes;
+}
 
 /// Floats of scratch memory that the functions need, to be aligned to 32 bytes.
 int scratch_size(const Model& model);
@@ -93,16 +104,20 @@ struct Functions {
 
     /// No collision at 8 * rakes configurations, evenly spaced on the segment that begins at `from` and leads
     /// by `change` to its end: with the end, and with `from` itself if `with_start`. A rake is eight
-    /// configurations spread over the whole segment; rakes come in the order that halves what is not yet
-    /// seen.
+    /// configurations spread over the whole segment. The first one surveys the stretches around its
+    /// configurations: those that are proved free (as below) are not looked at again, and of the others only
+    /// what came near.
     bool (*motion_free)(const Model& model, const float* from, const float* change, int rakes,
                         bool with_start, float* scratch);
 
+    /// Of every part (`lever_stride` of them), an upper bound on how far any of its balls moves over a
+    /// segment.
+    void (*speeds)(const Model& model, const float* change, float* result);
+
     /// Bit i: the segment may collide at a place between t[i] - width[i] and t[i] + width[i] (as parts of
-    /// it). `speeds`: of every part, an upper bound on how far any of its balls moves over the whole segment.
-    /// A bit that is not set is a proof.
+    /// it). A bit that is not set is a proof.
     unsigned (*swept_collisions)(const Model& model, const float* from, const float* change, const float* t,
-                                 const float* width, const float* speeds, float* scratch);
+                                 const float* width, const float* part_speeds, float* scratch);
 
     /// Place of the point that is nearest to `query` (the first of those), and the square of its distance.
     /// Points come in blocks of eight, aligned to 32 bytes: eight numbers of the first coordinate, eight of

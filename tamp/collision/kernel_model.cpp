@@ -132,9 +132,14 @@ class KernelModelBuilder {
         model_.variable_count_ = static_cast<int>(group_.variables.size());
         place_links();
         collect_pieces();
+        if (pieces_.size() > kernel::kMaxParts) {
+            throw std::invalid_argument(
+                "the fast checker takes at most 256 moving links and attached bodies");
+        }
         collect_standing();
         model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * extent();
         flatten_pieces();
+        flatten_levers();
         pair_pieces();
     }
 
@@ -380,7 +385,20 @@ class KernelModelBuilder {
             beyond = translations_[at].norm() + slide + beyond;
             frame = flat_frame.parent;
         }
-        model_.levers_.insert(model_.levers_.end(), levers.begin(), levers.end());
+        levers_.push_back(std::move(levers));
+    }
+
+    void flatten_levers() {
+        constexpr double kRoundUp = 1 + 1e-5;  // for the sums on floats, too
+        const std::size_t blocks =
+            static_cast<std::size_t>(kernel::lever_stride(static_cast<int>(levers_.size()))) / kernel::kLanes;
+        model_.levers_.resize(blocks * group_.variables.size());
+        for (std::size_t v = 0; v < group_.variables.size(); ++v) {
+            for (std::size_t p = 0; p < levers_.size(); ++p) {
+                model_.levers_[v * blocks + p / kernel::kLanes].lever[p % kernel::kLanes] =
+                    static_cast<float>(levers_[p][v] * kRoundUp);
+            }
+        }
     }
 
     void pair_pieces() {
@@ -406,9 +424,14 @@ class KernelModelBuilder {
     std::vector<Vector3> translations_ = {};  ///< of every frame in its parent
     std::vector<Piece> pieces_ = {};
     std::vector<Standing> standing_ = {};
+    std::vector<std::vector<double>> levers_ = {};  ///< of every part, by variable
 };
 
 KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change) {
+    if (problem.robot->groups[static_cast<std::size_t>(problem.group)].variables.size() >
+        kernel::kMaxVariables) {
+        throw std::invalid_argument("the fast checker takes groups of at most 16 variables");
+    }
     KernelModelBuilder(problem, side, change, *this).build();
 }
 
@@ -422,7 +445,8 @@ kernel::Model KernelModel::view() const {
             .balls = balls_.data(),
             .obstacles = obstacles_.data(),
             .grids = grids_.data(),
-            .pairs = pairs_.data()};
+            .pairs = pairs_.data(),
+            .levers = levers_.empty() ? nullptr : levers_.front().lever.data()};
 }
 
 }  // namespace praxis::tamp

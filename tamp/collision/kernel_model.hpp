@@ -7,6 +7,7 @@
 // models shrink by it, so that they never see one that is not there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -39,12 +40,13 @@ class KernelModel {
     bool exact() const { return exact_; }
     /// Metres added to (outer) or taken from (inner) radii.
     double margin() const { return margin_; }
-    /// For every part and variable of the group (part by part): an upper bound of metres that a ball's centre
-    /// moves for a radian or metre of the variable.
-    const std::vector<double>& levers() const { return levers_; }
 
   private:
     friend class KernelModelBuilder;
+
+    struct alignas(32) LeverBlock {
+        std::array<float, kernel::kLanes> lever = {};
+    };
 
     int variable_count_ = 0;
     bool exact_ = true;
@@ -55,7 +57,7 @@ class KernelModel {
     std::vector<kernel::Obstacle> obstacles_;
     std::vector<kernel::Grid> grids_;
     std::vector<kernel::PartPair> pairs_;
-    std::vector<double> levers_;
+    std::vector<LeverBlock> levers_;
 };
 
 }  // namespace praxis::tamp

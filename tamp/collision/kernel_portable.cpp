@@ -6,7 +6,8 @@
 namespace praxis::tamp::kernel {
 
 const Functions& portable_functions() {
-    static constexpr Functions table = {"portable", collisions, motion_free, swept_collisions, nearest};
+    static constexpr Functions table = {"portable", collisions,       motion_free,
+                                        speeds,     swept_collisions, nearest};
     return table;
 }
 

@@ -138,44 +138,40 @@ inline Lanes beyond(const Lanes& coordinate, float half) {
     return maximum(absolute(coordinate) - Lanes(half), 0.0F);
 }
 
-inline unsigned box_mask(const Point& p, const Obstacle& box_shape, const Lanes& radius) {
-    const Point d = {beyond(p.x, box_shape.size[0]), beyond(p.y, box_shape.size[1]),
-                     beyond(p.z, box_shape.size[2])};
-    return not_greater(squared(d), radius * radius);
+inline Lanes box_gap(const Point& p, const Obstacle& obstacle) {
+    return squared(
+        {beyond(p.x, obstacle.size[0]), beyond(p.y, obstacle.size[1]), beyond(p.z, obstacle.size[2])});
 }
 
-inline unsigned cylinder_mask(const Point& p, const Obstacle& shape, const Lanes& radius) {
-    const Lanes across = maximum(root(multiply_add(p.x, p.x, p.y * p.y)) - Lanes(shape.size[0]), 0.0F);
-    const Lanes along = beyond(p.z, shape.size[1]);
-    return not_greater(multiply_add(across, across, along * along), radius * radius);
+inline Lanes cylinder_gap(const Point& p, const Obstacle& obstacle) {
+    const Lanes across = maximum(root(multiply_add(p.x, p.x, p.y * p.y)) - Lanes(obstacle.size[0]), 0.0F);
+    const Lanes along = beyond(p.z, obstacle.size[1]);
+    return multiply_add(across, across, along * along);
 }
 
-/// Which of eight balls touch an obstacle.
+/// Spheres and capsules are points and segments, grown by their radius.
 template <int kind>
-inline unsigned touches(const Obstacle& obstacle, const Point& center, const Lanes& radius) {
-    const Point d = center - constant(obstacle.center[0], obstacle.center[1], obstacle.center[2]);
-    if constexpr (kind == sphere) {
-        const Lanes reach = radius + Lanes(obstacle.size[0]);
-        return not_greater(squared(d), reach * reach);
-    } else if constexpr (kind == upright_box) {
-        return box_mask(upright(obstacle, d), obstacle, radius);
-    } else if constexpr (kind == box) {
-        return box_mask(local(obstacle, d), obstacle, radius);
-    } else if constexpr (kind == upright_cylinder) {
-        return cylinder_mask(d, obstacle, radius);
-    } else if constexpr (kind == cylinder) {
-        return cylinder_mask(local(obstacle, d), obstacle, radius);
-    } else {
+inline constexpr bool is_grown = kind == sphere || kind == capsule;
+
+/// Squares of the distances of eight points to an obstacle, or to its core if it is grown.
+template <int kind>
+inline Lanes squared_gap(const Obstacle& obstacle, const Point& point) {
+    const Point d = point - constant(obstacle.center[0], obstacle.center[1], obstacle.center[2]);
+    if constexpr (kind == sphere) return squared(d);
+    if constexpr (kind == upright_box) return box_gap(upright(obstacle, d), obstacle);
+    if constexpr (kind == box) return box_gap(local(obstacle, d), obstacle);
+    if constexpr (kind == upright_cylinder) return cylinder_gap(d, obstacle);
+    if constexpr (kind == cylinder) return cylinder_gap(local(obstacle, d), obstacle);
+    if constexpr (kind == capsule) {
         const Point p = local(obstacle, d);
         const Lanes along = beyond(p.z, obstacle.size[1]);
-        const Lanes reach = radius + Lanes(obstacle.size[0]);
-        return not_greater(combine(p.x, p.x, p.y, p.y, along, along), reach * reach);
+        return combine(p.x, p.x, p.y, p.y, along, along);
     }
 }
 
 /// The square of the distance to what is occupied is at least the square of that to the box plus the square
 /// of what the cell at the nearest point of the box says, for the box is convex and holds all.
-inline unsigned touches(const Grid& grid, const Point& p, const Lanes& radius) {
+inline Lanes squared_gap(const Grid& grid, const Point& p) {
     Lanes outside = 0.0F;
     Lanes place = 0.0F;
     int stride = 1;
@@ -192,153 +188,170 @@ inline unsigned touches(const Grid& grid, const Point& p, const Lanes& radius) {
         stride *= grid.cells[i];
     }
     const Lanes distance = maximum(Lanes::gather(grid.distance, place) + Lanes(grid.slack), 0.0F);
-    return not_greater(multiply_add(distance, distance, outside), radius * radius);
+    return multiply_add(distance, distance, outside);
 }
 
-/// One block of eight configurations on its way through the tests. `all`: every lane's answer is wanted;
-/// otherwise the first lane that collides ends the work. `swept`: the balls of part p are larger by growth[p]
-/// * width.
-template <bool all, bool swept>
+/// Which of eight gaps balls of this radius bridge.
+inline unsigned bridged(const Lanes& squared_gap, const Lanes& radius) {
+    return not_greater(squared_gap, radius * radius);
+}
+
+/// What a part may touch, as the rest of the kernel sees it: gaps to it, and what adds to the radius of a
+/// ball.
+template <int kind>
+struct Solid {
+    const Obstacle& obstacle;
+    Lanes gap(const Point& point) const { return squared_gap<kind>(obstacle, point); }
+    Lanes reach(const Lanes& radius) const {
+        if constexpr (is_grown<kind>) return radius + Lanes(obstacle.size[0]);
+        return radius;
+    }
+};
+
+struct Cells {
+    const Grid& grid;
+    Lanes gap(const Point& point) const { return squared_gap(grid, point); }
+    Lanes reach(const Lanes& radius) const { return radius; }
+};
+
+/// Eight configurations: their frames, and the balls that somebody asked for.
 class Block {
   public:
-    Block(const Model& model, const float* positions, const float* speeds, const Lanes& width, float* scratch)
+    Block(const Model& model, float* scratch)
         : model_(model),
-          speeds_(speeds),
-          width_(width),
           placements_(scratch),
           bounds_(scratch + model.frame_count * kPlacementFloats),
-          centers_(bounds_ + model.part_count * kBallFloats) {
-        place_frames(model, positions, placements_);
+          centers_(bounds_ + model.part_count * kBallFloats) {}
+
+    void place(const float* positions) {
+        place_frames(model_, positions, placements_);
+        for (int p = 0; p < model_.part_count; ++p) {
+            store(at(model_.parts[p], model_.parts[p].bound.center), bounds_ + p * kBallFloats);
+            placed_[p] = false;
+        }
     }
 
-    unsigned mask() {
-        unsigned hit = 0;
-        for (int p = 0; p < model_.part_count; ++p) {
-            const Part& part = model_.parts[p];
-            const Point center = place(part, part.bound.center);
-            store(center, bounds_ + p * kBallFloats);
-            bool placed = false;
-            if (add(hit, against_obstacles<0>(p, center, placed))) return hit;
-            if (add(hit, against_grids(p, center, placed))) return hit;
+    const Model& model() const { return model_; }
+    const Part& part(int p) const { return model_.parts[p]; }
+    Point bound(int p) const { return load(bounds_ + p * kBallFloats); }
+    float bound_radius(int p) const { return part(p).bound.radius; }
+    Point center(int ball) const { return load(centers_ + ball * kBallFloats); }
+    float radius(int ball) const { return model_.balls[ball].radius; }
+    int first_ball(int p) const { return part(p).first_ball; }
+    int last_ball(int p) const { return part(p).first_ball + part(p).ball_count; }
+
+    void place_balls(int p) {
+        if (placed_[p]) return;
+        placed_[p] = true;
+        for (int ball = first_ball(p); ball < last_ball(p); ++ball) {
+            store(at(part(p), model_.balls[ball].center), centers_ + ball * kBallFloats);
         }
-        for (int i = 0; i < model_.pair_count; ++i) {
-            if (add(hit, against_part(model_.pairs[i]))) return hit;
-        }
-        return hit;
     }
 
   private:
-    /// True if the work is done.
-    static bool add(unsigned& hit, unsigned more) {
-        hit |= more;
-        return all ? hit == (1U << kLanes) - 1 : hit != 0;
-    }
-
-    Point place(const Part& part, const float* point) const {
+    Point at(const Part& part, const float* point) const {
         if (part.frame < 0) return constant(point[0], point[1], point[2]);
-        const float* frame = placements_ + part.frame * kPlacementFloats;
-        const Placement p = load_placement(frame);
+        const Placement p = load_placement(placements_ + part.frame * kPlacementFloats);
         return combine(p, point[0], point[1], point[2]) + p.position;
     }
 
-    Lanes grown(int part, float radius) const {
-        if constexpr (swept) return multiply_add(speeds_[part], width_, radius);
-        return radius;
-    }
-
-    void place_balls(const Part& part, bool& placed) {
-        if (placed) return;
-        placed = true;
-        for (int b = 0; b < part.ball_count; ++b) {
-            const int ball = part.first_ball + b;
-            store(place(part, model_.balls[ball].center), centers_ + ball * kBallFloats);
-        }
-    }
-
-    template <class Touches>
-    unsigned any_ball(int p, const Touches& test) const {
-        const Part& part = model_.parts[p];
-        unsigned hit = 0;
-        for (int b = 0; b < part.ball_count; ++b) {
-            const int ball = part.first_ball + b;
-            hit |= test(load(centers_ + ball * kBallFloats), grown(p, model_.balls[ball].radius));
-            if (!all && hit != 0) return hit;
-        }
-        return hit;
-    }
-
-    template <int kind>
-    unsigned against_obstacles(int p, const Point& center, bool& placed) {
-        const Part& part = model_.parts[p];
-        const Lanes bound = grown(p, part.bound.radius);
-        unsigned hit = 0;
-        for (int o = part.first_obstacle[kind]; o < part.first_obstacle[kind + 1]; ++o) {
-            const Obstacle& obstacle = model_.obstacles[o];
-            if (touches<kind>(obstacle, center, bound) == 0) continue;
-            place_balls(part, placed);
-            if (add(hit, any_ball(p, [&](const Point& ball, const Lanes& radius) {
-                        return touches<kind>(obstacle, ball, radius);
-                    }))) {
-                return hit;
-            }
-        }
-        if constexpr (kind + 1 < kObstacleKinds) hit |= against_obstacles<kind + 1>(p, center, placed);
-        return hit;
-    }
-
-    unsigned against_grids(int p, const Point& center, bool& placed) {
-        const Part& part = model_.parts[p];
-        unsigned hit = 0;
-        for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
-            const Grid& grid = model_.grids[g];
-            if (touches(grid, center, grown(p, part.bound.radius)) == 0) continue;
-            place_balls(part, placed);
-            if (add(hit, any_ball(p, [&](const Point& ball, const Lanes& radius) {
-                        return touches(grid, ball, radius);
-                    }))) {
-                return hit;
-            }
-        }
-        return hit;
-    }
-
-    static unsigned balls_touch(const Point& a, const Lanes& a_radius, const Point& b,
-                                const Lanes& b_radius) {
-        const Lanes reach = a_radius + b_radius;
-        return not_greater(squared(a - b), reach * reach);
-    }
-
-    unsigned against_part(const PartPair& pair) {
-        const Part& first = model_.parts[pair.first];
-        const Part& second = model_.parts[pair.second];
-        const Point first_center = load(bounds_ + pair.first * kBallFloats);
-        const Point second_center = load(bounds_ + pair.second * kBallFloats);
-        const Lanes second_bound = grown(pair.second, second.bound.radius);
-        if (balls_touch(first_center, grown(pair.first, first.bound.radius), second_center, second_bound) ==
-            0) {
-            return 0;
-        }
-        unsigned hit = 0;
-        for (int b = first.first_ball; b < first.first_ball + first.ball_count; ++b) {
-            const Point center = place(first, model_.balls[b].center);
-            const Lanes radius = grown(pair.first, model_.balls[b].radius);
-            if (balls_touch(center, radius, second_center, second_bound) == 0) continue;
-            for (int c = second.first_ball; c < second.first_ball + second.ball_count; ++c) {
-                const Point other = place(second, model_.balls[c].center);
-                hit |= balls_touch(center, radius, other, grown(pair.second, model_.balls[c].radius));
-                if (!all && hit != 0) return hit;
-            }
-        }
-        return hit;
-    }
-
     const Model& model_;
-    const float* speeds_;
-    Lanes width_;
     float* placements_;
     float* bounds_;
     float* centers_;
+    bool placed_[kMaxParts] = {};
 };
+
+/// How a test goes on when balls touch. Radii are those of the model plus `growth` of the part.
+///
+/// Any: the first touch ends all work. Every: all lanes are wanted.
+struct Any {
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) != 0; }
+    static Lanes grown(int, float radius) { return radius; }
+};
+
+struct Every {
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
+    static Lanes grown(int, float radius) { return radius; }
+};
+
+struct EverySwept {
+    const float* speeds;
+    Lanes width;
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
+    Lanes grown(int part, float radius) const { return multiply_add(speeds[part], width, radius); }
+};
+
+/// True: the work is done.
+template <class Mode, class Other>
+inline bool part_touches(Block& block, int p, const Other& other, Mode& mode) {
+    if (bridged(other.gap(block.bound(p)), other.reach(mode.grown(p, block.bound_radius(p)))) == 0)
+        return false;
+    block.place_balls(p);
+    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
+        const Lanes radius = mode.grown(p, block.radius(ball));
+        if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
+    }
+    return false;
+}
+
+template <class Mode>
+inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
+    const int p = pair.first;
+    const int q = pair.second;
+    const Point bound = block.bound(q);
+    const Lanes bound_radius = mode.grown(q, block.bound_radius(q));
+    if (bridged(squared(block.bound(p) - bound), mode.grown(p, block.bound_radius(p)) + bound_radius) == 0) {
+        return false;
+    }
+    block.place_balls(p);
+    block.place_balls(q);
+    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
+        const Point center = block.center(ball);
+        const Lanes radius = mode.grown(p, block.radius(ball));
+        if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
+        for (int other = block.first_ball(q); other < block.last_ball(q); ++other) {
+            const Lanes reach = radius + mode.grown(q, block.radius(other));
+            if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
+        }
+    }
+    return false;
+}
+
+/// Calls `test(obstacle)` for all obstacles and grids that a part may touch, until one returns true.
+template <int kind, class Test>
+inline bool for_obstacles(const Model& model, int p, const Test& test) {
+    const Part& part = model.parts[p];
+    for (int o = part.first_obstacle[kind]; o < part.first_obstacle[kind + 1]; ++o) {
+        if (test(Solid<kind>{model.obstacles[o]})) return true;
+    }
+    if constexpr (kind + 1 < kObstacleKinds) {
+        return for_obstacles<kind + 1>(model, p, test);
+    } else {
+        for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
+            if (test(Cells{model.grids[g]})) return true;
+        }
+        return false;
+    }
+}
+
+/// All tests of a block.
+template <class Mode>
+inline unsigned examine(Block& block, Mode mode) {
+    const Model& model = block.model();
+    for (int p = 0; p < model.part_count; ++p) {
+        const bool done = for_obstacles<0>(
+            model, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
+        if (done) return mode.hit;
+    }
+    for (int i = 0; i < model.pair_count; ++i) {
+        if (parts_touch(block, model.pairs[i], mode)) return mode.hit;
+    }
+    return mode.hit;
+}
 
 /// Positions at places `t` of a segment.
 inline void interpolate(const Model& model, const float* from, const float* change, const Lanes& t,
@@ -348,10 +361,30 @@ inline void interpolate(const Model& model, const float* from, const float* chan
     }
 }
 
-constexpr int kMaxVariables = 16;
+void speeds(const Model& model, const float* change, float* result) {
+    for (int p = 0; p < model.part_count; p += kLanes) {
+        Lanes sum = 0.0F;
+        for (int v = 0; v < model.variable_count; ++v) {
+            const Lanes lever = Lanes::load(model.levers + v * lever_stride(model.part_count) + p);
+            sum = multiply_add(lever, absolute(Lanes(change[v])), sum);
+        }
+        sum.store(result + p);
+    }
+}
 
 unsigned collisions(const Model& model, const float* positions, float* scratch) {
-    return Block<true, false>(model, positions, nullptr, 0.0F, scratch).mask();
+    Block block(model, scratch);
+    block.place(positions);
+    return examine(block, Every());
+}
+
+unsigned swept_collisions(const Model& model, const float* from, const float* change, const float* t,
+                          const float* width, const float* part_speeds, float* scratch) {
+    alignas(32) float positions[kMaxVariables * kLanes];
+    interpolate(model, from, change, Lanes::load(t), positions);
+    Block block(model, scratch);
+    block.place(positions);
+    return examine(block, EverySwept{part_speeds, Lanes::load(width)});
 }
 
 bool motion_free(const Model& model, const float* from, const float* change, int rakes, bool with_start,
@@ -360,6 +393,7 @@ bool motion_free(const Model& model, const float* from, const float* change, int
     alignas(32) float places[kLanes];
     const int first = with_start ? 0 : 1;
     const float step = 1.0F / static_cast<float>(kLanes * rakes - 1 + first);
+    Block block(model, scratch);
     for (int i = 0, turns = rake_turns(rakes); i < turns; ++i) {
         const int rake = rake_at(i, rakes);
         if (rake < 0) continue;
@@ -367,16 +401,10 @@ bool motion_free(const Model& model, const float* from, const float* change, int
             places[lane] = static_cast<float>(lane * rakes + rake + first) * step;
         }
         interpolate(model, from, change, Lanes::load(places), positions);
-        if (Block<false, false>(model, positions, nullptr, 0.0F, scratch).mask() != 0) return false;
+        block.place(positions);
+        if (examine(block, Any()) != 0) return false;
     }
     return true;
-}
-
-unsigned swept_collisions(const Model& model, const float* from, const float* change, const float* t,
-                          const float* width, const float* speeds, float* scratch) {
-    alignas(32) float positions[kMaxVariables * kLanes];
-    interpolate(model, from, change, Lanes::load(t), positions);
-    return Block<true, true>(model, positions, speeds, Lanes::load(width), scratch).mask();
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ constexpr int kRepairs = 16;
 constexpr int kRepairIterations = 2000;
 constexpr int kRepairCuts = 16;
 
-/// A checker whose motions are certified whatever step is asked for: what RRT-Connect makes of it is certified.
+/// A checker whose motions are certified whatever step is asked for: what RRT-Connect makes of it is
+/// certified.
 class CertifyingChecker final : public CollisionChecker {
   public:
     explicit CertifyingChecker(CollisionChecker& checker) : checker_(checker) {}
@@ -67,7 +68,8 @@ bool certify(CollisionChecker& checker, Path& path, const CertifyOptions& option
 }
 
 RrtConnectResult certified_rrt_connect(CollisionChecker& checker, std::span<const double> start,
-                                       std::span<const Configuration> goals, const RrtConnectOptions& options) {
+                                       std::span<const Configuration> goals,
+                                       const RrtConnectOptions& options) {
     CertifyingChecker certifying(checker);
     return rrt_connect(certifying, start, goals, options);
 }

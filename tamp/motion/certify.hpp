@@ -22,12 +22,13 @@ struct CertifyOptions {
     Budget budget = {};
 };
 
-/// Certifies every edge; one that fails is replaced by a certified motion between its ends, found by RRT-Connect.
-/// False if none is found for some edge; `path` is then as it was.
+/// Certifies every edge; one that fails is replaced by a certified motion between its ends, found by
+/// RRT-Connect. False if none is found for some edge; `path` is then as it was.
 bool certify(CollisionChecker& checker, Path& path, const CertifyOptions& options = {});
 
 /// RRT-Connect that takes only certified edges: slower, for where repairs fail.
 RrtConnectResult certified_rrt_connect(CollisionChecker& checker, std::span<const double> start,
-                                       std::span<const Configuration> goals, const RrtConnectOptions& options = {});
+                                       std::span<const Configuration> goals,
+                                       const RrtConnectOptions& options = {});
 
 }  // namespace praxis::tamp

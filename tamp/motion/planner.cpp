@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tamp/motion/blame.hpp"
 #include "tamp/motion/certify.hpp"
+#include "tamp/motion/obstructions.hpp"
 #include "tamp/motion/rrt_connect.hpp"
 #include "tamp/motion/shortcut.hpp"
 
@@ -25,7 +25,8 @@ void require_positions(const CollisionChecker& checker, std::span<const double> 
 
 bool within_limits(const CollisionChecker& checker, std::span<const double> positions) {
     const CollisionProblem& problem = checker.problem();
-    return problem.robot->within_limits(problem.robot->groups[static_cast<std::size_t>(problem.group)], positions);
+    return problem.robot->within_limits(problem.robot->groups[static_cast<std::size_t>(problem.group)],
+                                        positions);
 }
 
 /// Goals that can be planned to, and which they were.
@@ -36,8 +37,8 @@ struct Goals {
 
 class MotionPlanner {
   public:
-    MotionPlanner(CollisionChecker& checker, std::span<const double> start, std::span<const Configuration> goals,
-                  const MotionOptions& options)
+    MotionPlanner(CollisionChecker& checker, std::span<const double> start,
+                  std::span<const Configuration> goals, const MotionOptions& options)
         : checker_(checker), start_(start), options_(options) {
         result_.status = check_ends(goals);
     }
@@ -107,7 +108,7 @@ class MotionPlanner {
     MotionResult fail(const RrtConnectResult& found) {
         result_.status = MotionStatus::not_found;
         result_.goal = -1;
-        result_.blame = find_blame(checker_, found.blocked, options_.step);
+        result_.obstructions = find_obstructions(checker_, found.blocked, options_.step);
         return std::move(result_);
     }
 
@@ -122,12 +123,18 @@ class MotionPlanner {
 
 std::string_view to_string(MotionStatus status) {
     switch (status) {
-        case MotionStatus::solved: return "solved";
-        case MotionStatus::start_in_collision: return "start in collision";
-        case MotionStatus::goal_in_collision: return "goal in collision";
-        case MotionStatus::start_out_of_limits: return "start out of limits";
-        case MotionStatus::goal_out_of_limits: return "goal out of limits";
-        case MotionStatus::not_found: return "no path found";
+        case MotionStatus::solved:
+            return "solved";
+        case MotionStatus::start_in_collision:
+            return "start in collision";
+        case MotionStatus::goal_in_collision:
+            return "goal in collision";
+        case MotionStatus::start_out_of_limits:
+            return "start out of limits";
+        case MotionStatus::goal_out_of_limits:
+            return "goal out of limits";
+        case MotionStatus::not_found:
+            return "no path found";
     }
     return "";
 }

@@ -1,8 +1,8 @@
 // Motions of one group from a start to one of several goals: RRT-Connect, shortcuts, certification.
 //
-// By default the path is *certified*: every edge has passed `CollisionChecker::is_motion_certified`, which with
-// the fast checker holds between the configurations that were looked at, too. Uncertified paths are checked at
-// `step` alone; they take less time, and some percent of them touch something on the way.
+// By default the path is *certified*: every edge has passed `CollisionChecker::is_motion_certified`, which
+// with the fast checker holds between the configurations that were looked at, too. Uncertified paths are
+// checked at `step` alone; they take less time, and some percent of them touch something on the way.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ namespace praxis::tamp {
 enum class MotionStatus : std::uint8_t {
     solved,
     start_in_collision,
-    goal_in_collision,    ///< every goal
+    goal_in_collision,  ///< every goal
     start_out_of_limits,
-    goal_out_of_limits,   ///< every goal is out of limits or in collision, and at least one out of limits
-    not_found             ///< iterations or budget ran out
+    goal_out_of_limits,  ///< every goal is out of limits or in collision, and at least one out of limits
+    not_found            ///< iterations or budget ran out
 };
 
 /// Such as "goal in collision".
@@ -39,7 +39,7 @@ struct MotionOptions {
 };
 
 /// Who was in the way of how many motions that were tried.
-struct Blame {
+struct Obstruction {
     Participant who;
     int count = 0;
 };
@@ -50,13 +50,13 @@ struct MotionResult {
     int goal = -1;   ///< which one the path ends at
     std::vector<Contact> contacts = {};  ///< of the start or the first goal in collision
     /// If no path was found: bodies in the way (and links, where the robot itself was), most frequent first.
-    std::vector<Blame> blame = {};
+    std::vector<Obstruction> obstructions = {};
     int iterations = 0;
     int nodes = 0;
 };
 
-/// Start and goals are positions of the checker's group. Throws std::invalid_argument for other lengths and for
-/// numbers that are not finite.
+/// Start and goals are positions of the checker's group. Throws std::invalid_argument for other lengths and
+/// for numbers that are not finite.
 MotionResult plan_motion(CollisionChecker& checker, std::span<const double> start,
                          std::span<const Configuration> goals, const MotionOptions& options = {});
 

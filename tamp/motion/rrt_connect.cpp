@@ -13,7 +13,8 @@ namespace praxis::tamp {
 
 namespace {
 
-/// Radius of the domain of a node whose extension has failed once, how it shrinks and grows, and its least value.
+/// Radius of the domain of a node whose extension has failed once, how it shrinks and grows, and its least
+/// value.
 constexpr float kDomain = 4;
 constexpr float kDomainChange = 1e-4F;
 constexpr float kLeastDomain = 1;
@@ -108,8 +109,9 @@ class RrtConnect {
             difference(trees_[0][0], trees_[1][goal], change);
             along(trees_[0][0], change, 1, end);
             if (!is_free(trees_[0][0], end)) continue;
-            result_.path = {Configuration(trees_[0][0], trees_[0][0] + dimension_),
-                            Configuration(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(dimension_))};
+            result_.path = {
+                Configuration(trees_[0][0], trees_[0][0] + dimension_),
+                Configuration(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(dimension_))};
             result_.goal = goal;
             return true;
         }
@@ -213,11 +215,14 @@ class RrtConnect {
 
 RrtConnectResult rrt_connect(CollisionChecker& checker, std::span<const double> start,
                              std::span<const Configuration> goals, const RrtConnectOptions& options) {
-    const auto fits = [&](std::span<const double> positions) { return positions.size() == checker.dimension(); };
-    if (checker.dimension() > Tree::kMaxDimension) throw std::invalid_argument("motions have at most 16 variables");
+    const auto fits = [&](std::span<const double> positions) {
+        return positions.size() == checker.dimension();
+    };
+    if (checker.dimension() > Tree::kMaxDimension)
+        throw std::invalid_argument("motions have at most 16 variables");
     if (!fits(start) || !std::ranges::all_of(goals, fits)) {
-        throw std::invalid_argument("start and goals of a motion need " + std::to_string(checker.dimension()) +
-                                    " positions");
+        throw std::invalid_argument("start and goals of a motion need " +
+                                    std::to_string(checker.dimension()) + " positions");
     }
     if (!(options.range > 0)) throw std::invalid_argument("the range of RRT-Connect must be above 0");
     if (goals.empty()) return {};

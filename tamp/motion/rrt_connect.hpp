@@ -1,6 +1,6 @@
-// RRT-Connect (Kuffner, LaValle 2000): a tree from the start and a tree from the goals grow towards samples and
-// towards each other. With balanced trees and dynamic domains (Yershova et al. 2005): nodes that could not be
-// extended are only tried again for samples near them.
+// RRT-Connect (Kuffner, LaValle 2000): a tree from the start and a tree from the goals grow towards samples
+// and towards each other. With balanced trees and dynamic domains (Yershova et al. 2005): nodes that could
+// not be extended are only tried again for samples near them.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ struct RrtConnectResult {
     std::vector<std::pair<Configuration, Configuration>> blocked = {};
 };
 
-/// A path from `start` to one of `goals`, which must be free and of the group's dimension. Waypoints of variables
-/// that are continuous run on without jumps: the last may differ from the goal by whole turns.
+/// A path from `start` to one of `goals`, which must be free and of the group's dimension. Waypoints of
+/// variables that are continuous run on without jumps: the last may differ from the goal by whole turns.
 RrtConnectResult rrt_connect(CollisionChecker& checker, std::span<const double> start,
                              std::span<const Configuration> goals, const RrtConnectOptions& options = {});
 

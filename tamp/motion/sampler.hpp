@@ -17,8 +17,8 @@ struct Interval {
     double upper = 0;
 };
 
-/// The additive sequence whose steps are the powers of the generalised golden ratio (M. Roberts, 2018): evenly
-/// spread in every dimension for the cost of one addition a number. The seed shifts it.
+/// The additive sequence whose steps are the powers of the generalised golden ratio (M. Roberts, 2018):
+/// evenly spread in every dimension for the cost of one addition a number. The seed shifts it.
 class Sampler {
   public:
     static constexpr std::size_t kMaxDimension = 16;

@@ -56,7 +56,8 @@ class Shortcutter {
 
     void measure() {
         lengths_.assign(path_.size(), 0.0);
-        for (std::size_t i = 1; i < path_.size(); ++i) lengths_[i] = lengths_[i - 1] + distance(path_[i - 1], path_[i]);
+        for (std::size_t i = 1; i < path_.size(); ++i)
+            lengths_[i] = lengths_[i - 1] + distance(path_[i - 1], path_[i]);
     }
 
     Place random_place() {

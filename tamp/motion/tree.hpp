@@ -11,9 +11,9 @@
 
 namespace praxis::tamp {
 
-/// Configurations of up to 16 numbers. Neighbours are found by looking at all nodes, eight at a time, on floats: a
-/// thousand nodes of seven numbers take less than half a microsecond. Nothing is allocated but when the tree
-/// outgrows its memory.
+/// Configurations of up to 16 numbers. Neighbours are found by looking at all nodes, eight at a time, on
+/// floats: a thousand nodes of seven numbers take less than half a microsecond. Nothing is allocated but when
+/// the tree outgrows its memory.
 class Tree {
   public:
     static constexpr std::size_t kMaxDimension = 16;
@@ -36,7 +36,9 @@ class Tree {
     }
 
     int size() const { return static_cast<int>(parents_.size()); }
-    const double* operator[](int node) const { return &positions_[static_cast<std::size_t>(node * dimension_)]; }
+    const double* operator[](int node) const {
+        return &positions_[static_cast<std::size_t>(node * dimension_)];
+    }
     int parent(int node) const { return parents_[static_cast<std::size_t>(node)]; }
     /// How far a sample may be that the node is extended to (dynamic domain).
     float& radius(int node) { return radii_[static_cast<std::size_t>(node)]; }
@@ -55,11 +57,13 @@ class Tree {
 
     Neighbour nearest(const double* positions) const {
         std::array<float, kMaxDimension> query;
-        for (int v = 0; v < dimension_; ++v) query[static_cast<std::size_t>(v)] = static_cast<float>(positions[v]);
+        for (int v = 0; v < dimension_; ++v)
+            query[static_cast<std::size_t>(v)] = static_cast<float>(positions[v]);
         float squared = 0;
         const int blocks = (size() + kernel::kLanes - 1) / kernel::kLanes;
-        const int node = kernel::functions().nearest(blocks_.front().numbers.data(), blocks, dimension_, query.data(),
-                                                     periodic_ ? periods_.data() : nullptr, &squared);
+        const int node =
+            kernel::functions().nearest(blocks_.front().numbers.data(), blocks, dimension_, query.data(),
+                                        periodic_ ? periods_.data() : nullptr, &squared);
         return {node, std::sqrt(static_cast<double>(squared))};
     }
 

@@ -1,13 +1,36 @@
 #include "tamp/report/describe.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
 
 namespace {
 
 using Document = TrajectoryDocument;
+
+/// Occupied cells, without those that others hide on all sides.
+Document::Voxels describe_voxels(const OccupancyMap& map) {
+    const VoxelGrid& grid = map.grid();
+    const auto occupied = [&](int i, int j, int k) {
+        return grid.has(i, j, k) && map.cells()[grid.index(i, j, k)] == Occupancy::occupied;
+    };
+    Document::Voxels voxels;
+    voxels.edge = grid.edge;
+    for (int k = 0; k < grid.cells[2]; ++k)
+        for (int j = 0; j < grid.cells[1]; ++j)
+            for (int i = 0; i < grid.cells[0]; ++i) {
+                if (!occupied(i, j, k)) continue;
+                const bool hidden = occupied(i - 1, j, k) && occupied(i + 1, j, k) && occupied(i, j - 1, k) &&
+                                    occupied(i, j + 1, k) && occupied(i, j, k - 1) && occupied(i, j, k + 1);
+                if (hidden) continue;
+                const Vector3 cell(i + 0.5, j + 0.5, k + 0.5);
+                voxels.centers.emplace_back(Vector3(grid.origin[0], grid.origin[1], grid.origin[2]) +
+                                            grid.edge * cell);
+            }
+    return voxels;
+}
 
 struct DescribeShape {
     Document::PlacedShape& result;
@@ -16,8 +39,8 @@ struct DescribeShape {
     void operator()(const Shape& shape) const {
         result.shape = shape;
     }
-    void operator()(const std::shared_ptr<const OccupancyMap>&) const {
-        throw std::invalid_argument("occupancy maps cannot be described");
+    void operator()(const std::shared_ptr<const OccupancyMap>& map) const {
+        result.shape = describe_voxels(*map);
     }
 };
 

@@ -38,8 +38,13 @@ bool has_viewer() {
 void write_view(const TrajectoryDocument& document, std::ostream& out) {
     const PageTemplate* page = page_template();
     if (!page) {
-        throw UnsupportedError(
-            "this build of Praxis has no viewer: install npm and configure with -DPRAXIS_BUILD_VIEWER=ON\n");
+        const Diagnostic diagnostic{Severity::unsupported,
+                                    {},
+                                    false,
+                                    "this build of Praxis has no viewer: install npm and configure with "
+                                    "-DPRAXIS_BUILD_VIEWER=ON",
+                                    ""};
+        throw UnsupportedError(to_string(diagnostic, {}), {diagnostic});
     }
     const std::string json = without_markup(to_json(document));
     write_pieces(page->before_title, out);

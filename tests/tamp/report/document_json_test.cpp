@@ -208,6 +208,25 @@ TEST(DocumentJson, RefusesWrongTimes) {
         says(refusal("/plan/0/start", 99), "plan[0].end must be a finite time that is not before start"));
 }
 
+RC_GTEST_PROP(DocumentJson, SurvivesBrokenTexts, ()) {
+    static const std::string sample = to_json(sample_document());
+    std::string text = sample;
+    const int changes = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < changes; ++i) {
+        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+        const auto length = *rc::gen::inRange<std::size_t>(0, 4);
+        const auto put =
+            *rc::gen::element<std::string>("", "0", "-", "9", "\"", "{", "]", ",", "null", "1e300");
+        text.replace(at, length, put);
+    }
+    try {
+        const TrajectoryDocument document = read(text);
+        RC_ASSERT(to_json(read(to_json(document))) == to_json(document));
+    } catch (const InputError& error) {
+        RC_ASSERT(std::string(error.what()).starts_with("error: plan.json: "));
+    }
+}
+
 TEST(DocumentJson, PassesOverMembersThatItDoesNotKnow) {
     EXPECT_EQ(refusal("/made_by", "somebody"), "");
     EXPECT_EQ(refusal("/robot/maker", 7), "");

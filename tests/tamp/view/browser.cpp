@@ -85,7 +85,7 @@ std::set<std::uint32_t> Picture::colors(std::size_t left, std::size_t top, std::
 
 Visit visit(const fs::path& page, const std::string& hash) {
     const Folder folder;
-    const std::string command = "timeout 200 " + find_browser() +
+    const std::string command = "timeout 200 " + quoted(find_browser()) +
                                 " --headless --no-sandbox --disable-dev-shm-usage --hide-scrollbars" +
                                 " --use-angle=swiftshader --enable-unsafe-swiftshader "
                                 "--enable-logging=stderr --window-size=1280,800" +

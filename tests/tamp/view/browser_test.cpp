@@ -18,6 +18,9 @@ namespace fs = std::filesystem;
 class Browser : public testing::Test {
   protected:
     void SetUp() override {
+#ifdef PRAXIS_SANITIZED
+        GTEST_SKIP() << "the page is the same with sanitizers";
+#endif
         if (!has_viewer()) GTEST_SKIP() << "this build has no viewer";
         if (find_browser().empty()) GTEST_SKIP() << "chromium is not installed (./setup.sh --packages --all)";
     }

@@ -25,7 +25,9 @@ function materialIndices(links) {
   return indices;
 }
 
-const lines = (ways, material) => ways.map((way) => new Line2(new LineGeometry().setFromPoints(way), material));
+function addLines(group, ways, material) {
+  for (const way of ways) group.add(new Line2(new LineGeometry().setFromPoints(way), material));
+}
 
 export class View3d {
   constructor(canvas, document, replay) {
@@ -46,7 +48,7 @@ export class View3d {
     this.stage.scene.add(this.robot.root, this.ghost.root, this.paths);
     const ways = this.toolWays(0, replay.duration, mostPathPoints);
     this.pathPoints = ways.flat();
-    this.paths.add(...lines(ways, pathMaterial));
+    addLines(this.paths, ways, pathMaterial);
     this.showTime(0);
     this.fit();
   }
@@ -70,7 +72,7 @@ export class View3d {
     for (const line of this.actionPaths.children) line.geometry.dispose();
     this.actionPaths.clear();
     const action = this.replay.document.plan[index];
-    if (action) this.actionPaths.add(...lines(this.toolWays(action.start, action.end, mostPathPoints), actionPathMaterial));
+    if (action) addLines(this.actionPaths, this.toolWays(action.start, action.end, mostPathPoints), actionPathMaterial);
   }
 
   /** Looks at what moves, and at everything if nothing does. */

@@ -1,4 +1,4 @@
-#include "tamp/motion/blame.hpp"
+#include "tamp/motion/obstructions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +27,17 @@ bool is_loose_body(const World& world, const Participant& who) {
 
 }  // namespace
 
-std::vector<Blame> find_blame(CollisionChecker& checker,
-                              std::span<const std::pair<Configuration, Configuration>> blocked, double step) {
+std::vector<Obstruction> find_obstructions(CollisionChecker& checker,
+                                           std::span<const std::pair<Configuration, Configuration>> blocked,
+                                           double step) {
     const World& world = *checker.problem().world;
-    std::vector<Blame> blame;
-    const auto accuse = [&](const Participant& who) {
-        const auto found = std::ranges::find(blame, who, &Blame::who);
-        if (found != blame.end()) {
+    std::vector<Obstruction> obstructions;
+    const auto count = [&](const Participant& who) {
+        const auto found = std::ranges::find(obstructions, who, &Obstruction::who);
+        if (found != obstructions.end()) {
             ++found->count;
         } else {
-            blame.push_back({who, 1});
+            obstructions.push_back({who, 1});
         }
     };
     std::vector<Contact> contacts;
@@ -46,12 +47,12 @@ std::vector<Blame> find_blame(CollisionChecker& checker,
         for (const Contact& contact : contacts) {
             const bool first = is_loose_body(world, contact.first);
             const bool second = is_loose_body(world, contact.second);
-            if (first || !second) accuse(contact.first);
-            if (second || !first) accuse(contact.second);
+            if (first || !second) count(contact.first);
+            if (second || !first) count(contact.second);
         }
     }
-    std::ranges::stable_sort(blame, std::ranges::greater(), &Blame::count);
-    return blame;
+    std::ranges::stable_sort(obstructions, std::ranges::greater(), &Obstruction::count);
+    return obstructions;
 }
 
 }  // namespace praxis::tamp
