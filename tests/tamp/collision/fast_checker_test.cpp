@@ -84,7 +84,7 @@ TEST(FastChecker, HeldBodiesAreLookedAtAndMayTouchTheHand) {
     World world = random_world(random, 8);
     BodyModel model;
     model.name = "held";
-    model.shapes.push_back({Pose::Identity(), Box{{0.04, 0.04, 0.3}}});
+    model.shapes.push_back({Pose::Identity(), Box{{0.04, 0.04, 0.1}}});
     model.balls = cover(model.shapes);
     world = world.with_body(std::make_shared<const BodyModel>(std::move(model)), Pose::Identity());
     const int held = world.find("held");

@@ -115,7 +115,8 @@ std::vector<Eight> random_block(const Robot& robot, Random& random) {
     std::vector<Eight> block(robot.groups[0].variables.size());
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const Configuration positions = random_positions(robot, robot.groups[0], random);
-        for (std::size_t v = 0; v < positions.size(); ++v) block[v].v[lane] = static_cast<float>(positions[v]);
+        for (std::size_t v = 0; v < positions.size(); ++v)
+            block[v].v[lane] = static_cast<float>(positions[v]);
     }
     return block;
 }
