@@ -12,6 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tamp/scenes/mesh_voxels.hpp"
 #include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
@@ -203,6 +204,18 @@ std::vector<Solid> SolidCache::make(const std::vector<PlacedShape>& shapes) {
         solids.push_back(std::move(solid));
     }
     return solids;
+}
+
+std::shared_ptr<const DistanceGrid> SolidCache::distances(const std::shared_ptr<const Mesh>& mesh) {
+    return mesh_distances_.get(mesh, [](const std::shared_ptr<const Mesh>& from) {
+        return std::make_shared<const DistanceGrid>(voxels_of(*from));
+    });
+}
+
+std::shared_ptr<const DistanceGrid> SolidCache::distances(const std::shared_ptr<const OccupancyMap>& map) {
+    return map_distances_.get(map, [](const std::shared_ptr<const OccupancyMap>& from) {
+        return std::make_shared<const DistanceGrid>(from->obstacles());
+    });
 }
 
 }  // namespace praxis::tamp

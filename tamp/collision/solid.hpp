@@ -12,6 +12,7 @@
 
 #include "tamp/geometry/box_tree.hpp"
 #include "tamp/geometry/shape.hpp"
+#include "tamp/scenes/distance_grid.hpp"
 
 namespace fcl {
 template <typename S>
@@ -47,6 +48,9 @@ class SolidCache {
   public:
     /// Throws std::invalid_argument if a number of a shape is not finite or not positive.
     std::vector<Solid> make(const std::vector<PlacedShape>& shapes);
+    /// Distances to the surface of a mesh, and to the obstacles of a map.
+    std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const Mesh>& mesh);
+    std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const OccupancyMap>& map);
 
   private:
     /// What was made of something that others own.
@@ -66,6 +70,8 @@ class SolidCache {
     };
     Kept<Mesh, fcl::CollisionGeometry<double>> meshes_;
     Kept<OccupancyMap, MapBoxes> maps_;
+    Kept<Mesh, DistanceGrid> mesh_distances_;
+    Kept<OccupancyMap, DistanceGrid> map_distances_;
 };
 
 }  // namespace praxis::tamp

@@ -91,12 +91,13 @@ TEST(Kernel, EveryRakeComesOnceAndTheLastFirst) {
 
 /// A model and the memory that its functions need.
 struct Prepared {
+    SolidCache cache = {};
     KernelModel model;
     kernel::Model view;
     std::vector<Eight> scratch;
 
     explicit Prepared(const CollisionProblem& problem, BallSide side = BallSide::outer)
-        : model(problem, side, PairChange::moving),
+        : model(problem, side, PairChange::moving, cache),
           view(model.view()),
           scratch(static_cast<std::size_t>(kernel::scratch_size(view) / kLanes)) {}
 
