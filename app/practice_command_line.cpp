@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/command_line_parts.hpp"
 #include "practice/competence/competence_model.hpp"
 #include "practice/environments/environments.hpp"

@@ -1,5 +1,5 @@
 // Inverse kinematics against Orocos KDL: targets solved and processor time, on poses of random configurations
-// of a seven-joint arm (and of that arm on a mobile base).
+// of a seven-joint arm (and of that arm on a mobile base). Then straight lines of the tool, and timing paths.
 //
 //     build/bin/ik_bench [TARGETS]
 #include <time.h>
@@ -20,6 +20,8 @@
 
 #include "search/engines/random.hpp"
 #include "tamp/motion/inverse_kinematics.hpp"
+#include "tamp/motion/straight_line.hpp"
+#include "tamp/motion/time_parametrisation.hpp"
 #include "tests/tamp/support/panda.hpp"
 
 namespace praxis::tamp {
@@ -157,6 +159,43 @@ void run(std::size_t count) {
            [&](const Pose& target) { return bool(whole.solve(target, {.attempts = kAttempts})); });
 }
 
+/// The median of the times of `run`, on `count` problems.
+template <class Run>
+void report_median(const char* name, std::size_t count, Run&& solve) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double before = thread_microseconds();
+        solve(i);
+        times.push_back(thread_microseconds() - before);
+    }
+    std::ranges::sort(times);
+    std::printf("| %-44s | %8.1f |\n", name, times[times.size() / 2]);
+}
+
+void run_others() {
+    constexpr std::size_t kCount = 2000;
+    const std::shared_ptr<const Robot> arm = panda_arm();
+    const Group& group = arm->groups[0];
+    const MotionLimits limits = motion_limits(*arm, group);
+    Random random(2);
+    std::printf("\n| %-44s | median us |\n| --- | --- |\n", "what");
+    for (const std::size_t waypoints : {5UL, 20UL, 100UL}) {
+        std::vector<Path> paths(kCount);
+        for (Path& path : paths) {
+            for (std::size_t i = 0; i < waypoints; ++i) path.push_back(random_positions(*arm, 0, random));
+        }
+        report_median(("timing a path of " + std::to_string(waypoints) + " waypoints").c_str(), kCount,
+                      [&](std::size_t i) { time_parametrise(paths[i], limits); });
+    }
+    const InverseKinematics ik(arm, 0, group.tip);
+    const Configuration ready = {0, -0.6, 0, -2.2, 0, 1.6, 0.8};
+    Pose target = ik.forward(ready);
+    target.translation() += Vector3(0, 0, -0.2);
+    report_median("straight line of 20 cm, 10 steps", kCount,
+                  [&](std::size_t) { straight_line(ik, ready, target); });
+    report_median("making a solver", 200, [&](std::size_t) { InverseKinematics(arm, 0, group.tip); });
+}
+
 }  // namespace
 }  // namespace praxis::tamp
 
@@ -167,4 +206,5 @@ int main(int argc, char** argv) {
         return 2;
     }
     praxis::tamp::run(static_cast<std::size_t>(count));
+    praxis::tamp::run_others();
 }

@@ -2,8 +2,9 @@
 // planner does not do: optimising planners, roadmaps, planners for narrow or high-dimensional spaces.
 //
 // The space is that of the checker's group: bounded variables, and angles without limits as circles, so that
-// a base of x, y and yaw is SE(2). States and motions are checked by the checker alone. The planners use one
-// thread; those of OMPL that use several are left out, since a checker belongs to one.
+// a base of x, y and yaw is SE(2). States and motions are checked by the checker alone. Left out are OMPL's
+// planners that check from several threads (a checker belongs to one), those that never end by themselves
+// (LBTRRT, LazyLBTRRT), SST, which does not arrive at a goal exactly, and those that need more than a space.
 //
 // OMPL has one source of random numbers for the process: `seed_ompl` sets it, before the first plan, once.
 // Its messages are switched off at the first plan.

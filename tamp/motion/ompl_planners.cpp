@@ -22,8 +22,6 @@
 #include <ompl/geometric/planners/rlrt/RLRT.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
 #include <ompl/geometric/planners/rrt/InformedRRTstar.h>
-#include <ompl/geometric/planners/rrt/LBTRRT.h>
-#include <ompl/geometric/planners/rrt/LazyLBTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -33,7 +31,6 @@
 #include <ompl/geometric/planners/rrt/SORRTstar.h>
 #include <ompl/geometric/planners/rrt/TRRT.h>
 #include <ompl/geometric/planners/sbl/SBL.h>
-#include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
 
 #include <algorithm>
@@ -79,8 +76,6 @@ constexpr std::array kPlanners = {
     Entry{"InformedRRTstar", make<og::InformedRRTstar>},
     Entry{"KPIECE1", make<og::KPIECE1>},
     Entry{"LBKPIECE1", make<og::LBKPIECE1>},
-    Entry{"LBTRRT", make<og::LBTRRT>},
-    Entry{"LazyLBTRRT", make<og::LazyLBTRRT>},
     Entry{"LazyPRM", make<og::LazyPRM>},
     Entry{"LazyPRMstar", make<og::LazyPRMstar>},
     Entry{"LazyRRT", make<og::LazyRRT>},
@@ -98,7 +93,6 @@ constexpr std::array kPlanners = {
     Entry{"SORRTstar", make<og::SORRTstar>},
     Entry{"SPARS", make<og::SPARS>},
     Entry{"SPARStwo", make<og::SPARStwo>},
-    Entry{"SST", make<og::SST>},
     Entry{"STRIDE", make<og::STRIDE>},
     Entry{"TRRT", make<og::TRRT>},
 };

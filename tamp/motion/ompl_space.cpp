@@ -109,9 +109,6 @@ OmplSpace::OmplSpace(CollisionChecker& checker, double step, double turning_weig
         space_ = compound;
         order_.insert(order_.end(), circles.begin(), circles.end());
     }
-    space_->registerDefaultProjection(
-        std::make_shared<FirstTwo>(space_, std::min(2U, static_cast<unsigned>(order_.size()))));
-
     for (std::vector<double>* scratch : {&numbers_, &zero_, &from_, &to_, &middle_}) {
         scratch->resize(order_.size());
     }
@@ -119,6 +116,11 @@ OmplSpace::OmplSpace(CollisionChecker& checker, double step, double turning_weig
     information_->setStateValidityChecker([this](const ob::State* state) { return is_free(state); });
     information_->setMotionValidator(std::make_shared<CheckerMotions>(information_, *this));
     information_->setup();
+    // After the setup, which registers a projection of OMPL's own (the identity, for two variables).
+    const auto projection =
+        std::make_shared<FirstTwo>(space_, std::min(2U, static_cast<unsigned>(order_.size())));
+    projection->setup();
+    space_->registerDefaultProjection(projection);
 }
 
 void OmplSpace::write(std::span<const double> positions, ob::State* state) const {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kHalvings = 6;
 constexpr int kIterations = 12;
+constexpr double kMostPieces = 1e5;
 
 void check(const InverseKinematics& ik, std::span<const double> start, const Pose& target,
            const StraightLineOptions& options) {
@@ -56,6 +57,9 @@ class Line {
         const double way = (to_.translation() - from_.translation()).norm();
         const double angle = turn_from_.angularDistance(turn_to_);
         const double pieces = std::ceil(std::max({1.0, way / options_.step, angle / options_.turning_step}));
+        if (!(pieces <= kMostPieces)) {
+            throw std::invalid_argument("straight line: too long for its steps; take larger ones");
+        }
         for (double piece = 1; piece <= pieces; ++piece) {
             if (!advance((piece - 1) / pieces, piece / pieces, kHalvings)) return std::move(line_);
         }

@@ -104,6 +104,9 @@ class Timing {
         for (std::size_t i = 1; i < path.size(); ++i) {
             const double length = distance(waypoints_.back(), path[i]);
             if (length < kSame) continue;
+            if (!std::isfinite(length)) {
+                throw std::invalid_argument("time parametrisation: waypoints are too far apart");
+            }
             Segment next = segment(waypoints_.back(), path[i], length);
             if (!segments_.empty() && distance(segments_.back().direction, next.direction) < kSame) {
                 waypoints_.pop_back();
@@ -137,9 +140,6 @@ class Timing {
         }
     }
 
-    double blend_time(const Corner& corner) const {
-        return corner.duration_rate * std::sqrt(corner.speed_squared);
-    }
     /// Of path on either side of a corner.
     double blend_length(const Corner& corner) const {
         return corner.duration_rate * corner.speed_squared / 2;

@@ -4,7 +4,7 @@
 // (tip `hand`) and `gripper`; states `home` and `ready` of the arm, `open` and `closed` of the gripper; end
 // effector `hand`, whose tool frame lies between the finger tips.
 //
-// `mobile-arm7`: the same arm on a round platform that moves in the plane; x, y and theta come first among
+// `mobile-arm7`: the same arm on a platform that moves in the plane; x, y and theta come first among
 // the variables. Also groups `base`, and `base_arm` for motions of both; state `home` of the base, `home` and
 // `ready` of `base_arm` with the platform at the origin.
 //

@@ -5,14 +5,13 @@
 #include <optional>
 
 #include "parser/suggest.hpp"
+#include "tamp/scenes/allow_collision.hpp"
 #include "tamp/scenes/body.hpp"
 #include "tamp/scenes/yaml_document.hpp"
 
 namespace praxis::tamp {
 
 namespace {
-
-using Kind = Participant::Kind;
 
 /// As a list, or as a map with these keys.
 std::vector<double> coordinates(const YamlDocument& file, const YAML::Node& node, const std::string& what,
@@ -174,7 +173,7 @@ class SceneReader {
         if (rows.size() != names.size()) file_.fail(rows, what + " must have one row a name");
         std::vector<std::optional<Participant>> participants;
         participants.reserve(names.size());
-        for (const std::string& name : names) participants.push_back(find(world, name));
+        for (const std::string& name : names) participants.push_back(find_participant(robot_, world, name));
         for (std::size_t i = 0; i < names.size(); ++i) {
             const YAML::Node row = rows[i].IsMap() ? file_.member(rows[i], "enabled", what) : rows[i];
             file_.require_list(row, what + ": a row");
@@ -183,31 +182,12 @@ class SceneReader {
             for (const YAML::Node& entry : row) {
                 const bool allowed = file_.boolean(entry, what + ": an entry");
                 if (allowed && i != j && participants[i] && participants[j]) {
-                    allow(world, *participants[i], *participants[j]);
+                    allow_collision(robot_, world, *participants[i], *participants[j]);
                 }
                 ++j;
             }
         }
         return world;
-    }
-
-    std::optional<Participant> find(const World& world, const std::string& name) const {
-        const int link = robot_.find_link(name);
-        if (link >= 0) return Participant{Kind::link, link};
-        const int body = world.find(name);
-        if (body >= 0) return Participant{Kind::body, body};
-        return std::nullopt;
-    }
-
-    void allow(World& world, const Participant& first, const Participant& second) const {
-        if (first.kind == Kind::body || second.kind == Kind::body) {
-            world = world.with_allowed(first, second);
-            return;
-        }
-        const std::pair<int, int> pair = std::minmax(first.index, second.index);
-        auto& allowed = robot_.allowed_collisions;
-        const auto place = std::ranges::lower_bound(allowed, pair);
-        if (place == allowed.end() || *place != pair) allowed.insert(place, pair);
     }
 
     const YamlDocument& file_;

@@ -92,6 +92,8 @@ TEST_F(PandaLine, WrongUseIsRefused) {
     EXPECT_THROW(straight_line(ik, Configuration(6, 0), start), std::invalid_argument);
     EXPECT_THROW(straight_line(ik, Configuration(7, 9), start), std::invalid_argument);
     EXPECT_THROW(straight_line(ik, kReady, start, {.step = 0}), std::invalid_argument);
+    EXPECT_THROW(straight_line(ik, kReady, start, {.deviation = -1}), std::invalid_argument);
+    EXPECT_THROW(straight_line(ik, kReady, moved(1e9, 0, 0)), std::invalid_argument);
     EXPECT_THROW(straight_line(ik, kReady, moved(std::nan(""), 0, 0)), std::invalid_argument);
     PointChecker other(point_robot(), [](std::span<const double>) { return false; });
     StraightLineOptions options;

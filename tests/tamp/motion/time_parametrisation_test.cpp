@@ -196,6 +196,7 @@ TEST(TimeParametrisation, WrongUseIsRefused) {
     EXPECT_THROW(time_parametrise({}, limits), std::invalid_argument);
     EXPECT_THROW(time_parametrise({{0, 0}, {1}}, limits), std::invalid_argument);
     EXPECT_THROW(time_parametrise({{0, std::nan("")}}, limits), std::invalid_argument);
+    EXPECT_THROW(time_parametrise({{0, 0}, {1e300, 0}}, limits), std::invalid_argument);
     EXPECT_THROW(time_parametrise({{0}}, limits), std::invalid_argument);
     EXPECT_THROW(time_parametrise({{0, 0}}, {{1, 0}, {1, 1}}), std::invalid_argument);
     EXPECT_THROW(time_parametrise({{0, 0}}, limits, {.max_deviation = -1}), std::invalid_argument);

@@ -1,0 +1,47 @@
+// Task and motion planning without geometry: blocks on a line (domains/tamp/line), from PDDL text to values.
+#include <benchmark/benchmark.h>
+
+#include "tests/tamp/support/line_world.hpp"
+
+namespace praxis::tamp {
+namespace {
+
+void refine_line(benchmark::State& state, const std::string& name,
+                 const std::map<std::string, Value, std::less<>>& values) {
+    const StreamLibrary library = test::LineWorld{}.library();
+    std::uint64_t seed = 0;
+    RefineStatistics last;
+    for (auto _ : state) {
+        const StreamTask task = test::load_line(PRAXIS_SOURCE_DIR, name);
+        RefinementProblem problem{&task, &library, values, {}};
+        problem.options.seed = seed++;
+        const Refinement result = refine(problem);
+        if (result.status != RefineStatus::solved) state.SkipWithError("not solved");
+        last.ground_seconds += result.statistics.ground_seconds;
+        last.search_seconds += result.statistics.search_seconds;
+        last.sample_seconds += result.statistics.sample_seconds;
+        last.skeletons += result.statistics.skeletons;
+        last.stream_calls += result.statistics.stream_calls;
+        last.groundings += result.statistics.groundings;
+    }
+    const auto mean = [&](double sum) { return sum / static_cast<double>(state.iterations()); };
+    state.counters["ground_ms"] = 1e3 * mean(last.ground_seconds);
+    state.counters["search_ms"] = 1e3 * mean(last.search_seconds);
+    state.counters["sample_ms"] = 1e3 * mean(last.sample_seconds);
+    state.counters["skeletons"] = mean(static_cast<double>(last.skeletons));
+    state.counters["groundings"] = mean(static_cast<double>(last.groundings));
+    state.counters["calls"] = mean(static_cast<double>(last.stream_calls));
+}
+
+void tight(benchmark::State& state) {
+    refine_line(state, "tight", test::tight_values());
+}
+void blocked(benchmark::State& state) {
+    refine_line(state, "blocked", test::blocked_values());
+}
+
+BENCHMARK(tight)->Unit(benchmark::kMillisecond);
+BENCHMARK(blocked)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace praxis::tamp

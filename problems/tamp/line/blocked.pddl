@@ -1,0 +1,10 @@
+; The region has room for one block, and the wrong one is in it.
+(define (problem blocked)
+  (:domain line)
+  (:objects a b - block ground red - region pa pb - pose home - configuration)
+  (:init (stackable a ground) (stackable b ground) (stackable a red) (stackable b red)
+         (pose a pa) (pose b pb) (contained b pb red) (at-pose a pa) (at-pose b pb)
+         (configuration home) (at-configuration home) (hand-empty) (can-move)
+         (= (total-cost) 0))
+  (:goal (and (in a red) (hand-empty) (at-configuration home)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,10 @@
+; Two blocks into a region that is two and a half blocks wide, and the gripper back to where it was: nine actions.
+(define (problem tight)
+  (:domain line)
+  (:objects a b - block ground red - region pa pb - pose home - configuration)
+  (:init (stackable a ground) (stackable b ground) (stackable a red) (stackable b red)
+         (pose a pa) (pose b pb) (at-pose a pa) (at-pose b pb)
+         (configuration home) (at-configuration home) (hand-empty) (can-move)
+         (= (total-cost) 0))
+  (:goal (and (in a red) (in b red) (hand-empty) (at-configuration home)))
+  (:metric minimize (total-cost)))
