@@ -9,6 +9,7 @@
 
 #include "tamp/collision/signed_distance.hpp"
 #include "tamp/geometry/cover.hpp"
+#include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
 
@@ -271,6 +272,18 @@ class KernelModelBuilder {
         return std::abs(joint.multiplier) * std::max(lower, upper) + std::abs(joint.offset);
     }
 
+    /// How far a grid begins from the origin of its shape.
+    double offset(const Standing& standing) const {
+        Vector3 corner = Vector3::Zero();
+        if (const auto* map = std::get_if<std::shared_ptr<const OccupancyMap>>(standing.shape)) {
+            const std::array<double, 3>& origin = (*map)->grid().origin;
+            corner = {origin[0], origin[1], origin[2]};
+        } else if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(standing.shape)) {
+            for (const Vector3& vertex : (*mesh)->vertices) corner = corner.cwiseMax(vertex.cwiseAbs());
+        }
+        return corner.norm();
+    }
+
     /// The fixed point that the chain of a piece hangs on, and how far from it its balls' centres come.
     Ball reach(const Piece& piece) const {
         double radius = 0;
@@ -299,7 +312,7 @@ class KernelModelBuilder {
         for (const Standing& standing : standing_) {
             const bool near =
                 std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
-            if (near) center = std::max(center, standing.pose.translation().norm());
+            if (near) center = std::max(center, standing.pose.translation().norm() + offset(standing));
         }
         return farthest + center;
     }
