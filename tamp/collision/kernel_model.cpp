@@ -403,8 +403,8 @@ class KernelModelBuilder {
         grid.edge = static_cast<float>(voxels.edge);
         std::ranges::copy(voxels.cells, grid.cells);
         grid.distance = distances.distances().data();
-        // From a point of a cell to the filled cell, and, in a mesh's, from there to the surface.
-        const double diagonals = mesh != nullptr ? 4 : 2;
+        // Across the cell that a point is in, and, in a mesh's, across the filled one, too; and some more.
+        const double diagonals = mesh != nullptr ? 3 : 2;
         if (side_ == BallSide::inner) grid.slack = static_cast<float>(diagonals * std::sqrt(3) * voxels.edge);
         return grid;
     }

@@ -5,6 +5,8 @@
 // next.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -27,10 +29,19 @@ struct MapBoxes {
     BoxTree tree = {};
 };
 
+/// A mesh: for FCL, and for balls, whose distances to triangles are compared.
+struct MeshTriangles {
+    std::vector<Vector3> vertices = {};
+    std::vector<std::array<std::uint32_t, 3>> triangles = {};
+    BoxTree tree = {};
+    std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};
+};
+
 struct Solid {
     Pose pose = Pose::Identity();                                         ///< in the frame of the owner
     std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};  ///< none: a map
     std::shared_ptr<const MapBoxes> map = {};
+    std::shared_ptr<const MeshTriangles> mesh = {};
     double radius = -1;   ///< of a sphere; -1: not one
     AxisBox extent = {};  ///< of the geometry, in its own frame
     Ball bound = {};      ///< around it, in the frame of the owner
@@ -68,7 +79,7 @@ class SolidCache {
         std::mutex mutex_;
         std::unordered_map<const From*, Entry> entries_;
     };
-    Kept<Mesh, fcl::CollisionGeometry<double>> meshes_;
+    Kept<Mesh, MeshTriangles> meshes_;
     Kept<OccupancyMap, MapBoxes> maps_;
     Kept<Mesh, DistanceGrid> mesh_distances_;
     Kept<OccupancyMap, DistanceGrid> map_distances_;
