@@ -45,8 +45,8 @@ struct Side {
     kernel::Model view;
     Scratch scratch;
 
-    Side(const CollisionProblem& problem, BallSide side, PairChange change)
-        : model(problem, side, change), view(model.view()), scratch(view) {}
+    Side(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache)
+        : model(problem, side, change, cache), view(model.view()), scratch(view) {}
     Side(const Side&) = delete;
     Side& operator=(const Side&) = delete;
 
@@ -115,11 +115,11 @@ class FastChecker final : public CollisionChecker {
   public:
     FastChecker(const CollisionProblem& problem, std::shared_ptr<SolidCache> cache)
         : problem_(checked(problem)),
-          cache_(std::move(cache)),
+          cache_(cache ? std::move(cache) : make_solid_cache()),
           turning_(turning_variables(problem_)),
-          outer_(problem_, BallSide::outer, PairChange::moving) {
-        if (!outer_.model.exact()) inner_.emplace(problem_, BallSide::inner, PairChange::moving);
-        Side fixed(problem_, BallSide::outer, PairChange::fixed);
+          outer_(problem_, BallSide::outer, PairChange::moving, *cache_) {
+        if (!outer_.model.exact()) inner_.emplace(problem_, BallSide::inner, PairChange::moving, *cache_);
+        Side fixed(problem_, BallSide::outer, PairChange::fixed, *cache_);
         if (fixed.collisions(Positions{}) != 0) fixed_contacts_ = exact().fixed_contacts();
     }
 

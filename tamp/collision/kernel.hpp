@@ -51,7 +51,7 @@ struct Grid {
     float edge;             ///< of a cell
     int cells[3];           ///< along each axis; x runs fastest
     const float* distance;  ///< lower bound for every point of the cell
-    float slack;            ///< added to that
+    float slack;            ///< above 0: added to that it makes an upper bound, which is wanted
 };
 
 struct Part {

@@ -9,6 +9,7 @@
 
 #include "tamp/collision/signed_distance.hpp"
 #include "tamp/geometry/cover.hpp"
+#include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
 
@@ -106,12 +107,13 @@ struct Flatten {
     }
 };
 
-FlatObstacle flatten_at(const Shape& shape, const Pose& pose) {
+std::optional<FlatObstacle> flatten_at(const Shape& shape, const Pose& pose) {
     const bool upright =
         std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
-    FlatObstacle result = *std::visit(Flatten{upright}, shape);
-    copy(pose.translation(), result.obstacle.center);
-    copy_rows(pose.linear().transpose(), result.obstacle.axes);
+    std::optional<FlatObstacle> result = std::visit(Flatten{upright}, shape);
+    if (!result) return result;
+    copy(pose.translation(), result->obstacle.center);
+    copy_rows(pose.linear().transpose(), result->obstacle.axes);
     return result;
 }
 
@@ -119,13 +121,15 @@ FlatObstacle flatten_at(const Shape& shape, const Pose& pose) {
 
 class KernelModelBuilder {
   public:
-    KernelModelBuilder(const CollisionProblem& problem, BallSide side, PairChange change, KernelModel& model)
+    KernelModelBuilder(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache,
+                       KernelModel& model)
         : robot_(*problem.robot),
           world_(*problem.world),
           group_(robot_.groups[static_cast<std::size_t>(problem.group)]),
           rest_(problem.rest),
           side_(side),
           change_(change),
+          cache_(cache),
           model_(model) {}
 
     void build() {
@@ -268,6 +272,18 @@ class KernelModelBuilder {
         return std::abs(joint.multiplier) * std::max(lower, upper) + std::abs(joint.offset);
     }
 
+    /// How far a grid begins from the origin of its shape.
+    double offset(const Standing& standing) const {
+        Vector3 corner = Vector3::Zero();
+        if (const auto* map = std::get_if<std::shared_ptr<const OccupancyMap>>(standing.shape)) {
+            const std::array<double, 3>& origin = (*map)->grid().origin;
+            corner = {origin[0], origin[1], origin[2]};
+        } else if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(standing.shape)) {
+            for (const Vector3& vertex : (*mesh)->vertices) corner = corner.cwiseMax(vertex.cwiseAbs());
+        }
+        return corner.norm();
+    }
+
     /// The fixed point that the chain of a piece hangs on, and how far from it its balls' centres come.
     Ball reach(const Piece& piece) const {
         double radius = 0;
@@ -296,7 +312,7 @@ class KernelModelBuilder {
         for (const Standing& standing : standing_) {
             const bool near =
                 std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
-            if (near) center = std::max(center, standing.pose.translation().norm());
+            if (near) center = std::max(center, standing.pose.translation().norm() + offset(standing));
         }
         return farthest + center;
     }
@@ -349,11 +365,15 @@ class KernelModelBuilder {
 
     void collect_obstacles(const Piece& piece, kernel::Part& part) {
         std::array<std::vector<kernel::Obstacle>, kernel::kObstacleKinds> by_kind;
+        std::vector<kernel::Grid> grids;
         if (change_ == PairChange::moving || piece.frame < 0) {
             for (const Standing& standing : standing_) {
                 if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
-                const FlatObstacle flattened = flatten_at(*standing.shape, standing.pose);
-                by_kind[flattened.kind].push_back(flattened.obstacle);
+                if (const auto flattened = flatten_at(*standing.shape, standing.pose)) {
+                    by_kind[flattened->kind].push_back(flattened->obstacle);
+                } else {
+                    grids.push_back(grid_of(standing));
+                }
             }
         }
         for (int kind = 0; kind < kernel::kObstacleKinds; ++kind) {
@@ -362,6 +382,31 @@ class KernelModelBuilder {
             model_.obstacles_.insert(model_.obstacles_.end(), some.begin(), some.end());
         }
         part.first_obstacle[kernel::kObstacleKinds] = static_cast<int>(model_.obstacles_.size());
+        part.first_grid = static_cast<int>(model_.grids_.size());
+        part.grid_count = static_cast<int>(grids.size());
+        model_.grids_.insert(model_.grids_.end(), grids.begin(), grids.end());
+    }
+
+    kernel::Grid grid_of(const Standing& standing) {
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(standing.shape);
+        model_.distances_.push_back(
+            mesh != nullptr
+                ? cache_.distances(*mesh)
+                : cache_.distances(std::get<std::shared_ptr<const OccupancyMap>>(*standing.shape)));
+        model_.exact_ = false;
+        const DistanceGrid& distances = *model_.distances_.back();
+        const VoxelGrid& voxels = distances.grid();
+        kernel::Grid grid = {};
+        copy_rows(standing.pose.linear().transpose(), grid.axes);
+        const Vector3 origin = {voxels.origin[0], voxels.origin[1], voxels.origin[2]};
+        copy(standing.pose.linear().transpose() * standing.pose.translation() + origin, grid.corner);
+        grid.edge = static_cast<float>(voxels.edge);
+        std::ranges::copy(voxels.cells, grid.cells);
+        grid.distance = distances.distances().data();
+        // Across the cell that a point is in, and, in a mesh's, across the filled one, too; and some more.
+        const double diagonals = mesh != nullptr ? 3 : 2;
+        if (side_ == BallSide::inner) grid.slack = static_cast<float>(diagonals * std::sqrt(3) * voxels.edge);
+        return grid;
     }
 
     /// A turn about an axis moves a point by its distance from the axis: at most the distance, across the
@@ -418,6 +463,7 @@ class KernelModelBuilder {
     const Configuration& rest_;
     BallSide side_;
     PairChange change_;
+    SolidCache& cache_;
     KernelModel& model_;
     std::vector<PlacedLink> links_ = {};
     std::vector<const Joint*> joints_ = {};   ///< of every frame
@@ -427,12 +473,13 @@ class KernelModelBuilder {
     std::vector<std::vector<double>> levers_ = {};  ///< of every part, by variable
 };
 
-KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change) {
+KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change,
+                         SolidCache& cache) {
     if (problem.robot->groups[static_cast<std::size_t>(problem.group)].variables.size() >
         kernel::kMaxVariables) {
         throw std::invalid_argument("the fast checker takes groups of at most 16 variables");
     }
-    KernelModelBuilder(problem, side, change, *this).build();
+    KernelModelBuilder(problem, side, change, cache, *this).build();
 }
 
 kernel::Model KernelModel::view() const {

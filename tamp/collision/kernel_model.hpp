@@ -14,6 +14,7 @@
 
 #include "tamp/collision/checker.hpp"
 #include "tamp/collision/kernel.hpp"
+#include "tamp/collision/solid.hpp"
 
 namespace praxis::tamp {
 
@@ -33,10 +34,11 @@ class KernelModel {
   public:
     /// Throws std::invalid_argument where a link or an attached body has shapes but no balls, and for groups
     /// of more than 16 variables.
-    KernelModel(const CollisionProblem& problem, BallSide side, PairChange change);
+    KernelModel(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache);
 
     kernel::Model view() const;
-    /// The balls are the shapes: what the kernel says of contacts is so but for the margin.
+    /// The balls are the shapes, and there are no grids: what the kernel says of contacts is so but for the
+    /// margin.
     bool exact() const { return exact_; }
     /// Metres added to (outer) or taken from (inner) radii.
     double margin() const { return margin_; }
@@ -56,6 +58,7 @@ class KernelModel {
     std::vector<kernel::Ball> balls_;
     std::vector<kernel::Obstacle> obstacles_;
     std::vector<kernel::Grid> grids_;
+    std::vector<std::shared_ptr<const DistanceGrid>> distances_;  ///< that the grids point to
     std::vector<kernel::PartPair> pairs_;
     std::vector<LeverBlock> levers_;
 };

@@ -173,21 +173,22 @@ inline Lanes squared_gap(const Obstacle& obstacle, const Point& point) {
 /// of what the cell at the nearest point of the box says, for the box is convex and holds all.
 inline Lanes squared_gap(const Grid& grid, const Point& p) {
     Lanes outside = 0.0F;
-    Lanes place = 0.0F;
-    int stride = 1;
+    Lanes cell[3];
     for (int i = 0; i < 3; ++i) {
         const float* a = grid.axes + 3 * i;
         const Lanes x = combine(a[0], p.x, a[1], p.y, a[2], p.z) - Lanes(grid.corner[i]);
-        const float length = grid.edge * static_cast<float>(grid.cells[i]);
-        const Lanes inside = minimum(maximum(x, 0.0F), length);
+        const Lanes inside = minimum(maximum(x, 0.0F), grid.edge * static_cast<float>(grid.cells[i]));
         const Lanes away = x - inside;
         outside = multiply_add(away, away, outside);
-        const Lanes cell =
-            minimum(truncated(inside / Lanes(grid.edge)), static_cast<float>(grid.cells[i] - 1));
-        place = multiply_add(cell, static_cast<float>(stride), place);
-        stride *= grid.cells[i];
+        cell[i] = minimum(inside / Lanes(grid.edge), static_cast<float>(grid.cells[i] - 1));
     }
-    const Lanes distance = maximum(Lanes::gather(grid.distance, place) + Lanes(grid.slack), 0.0F);
+    const Lanes distance =
+        Lanes::gather(grid.distance, cell[0], cell[1], cell[2], grid.cells[0], grid.cells[1]) +
+        Lanes(grid.slack);
+    if (grid.slack > 0) {
+        const Lanes at_most = root(outside) + distance;
+        return at_most * at_most;
+    }
     return multiply_add(distance, distance, outside);
 }
 

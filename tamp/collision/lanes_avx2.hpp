@@ -14,9 +14,13 @@ struct Lanes {
     Lanes(float x) : v(_mm256_set1_ps(x)) {}  // NOLINT: a number stands for eight of it
     static Lanes load(const float* from) { return _mm256_load_ps(from); }
     void store(float* to) const { _mm256_store_ps(to, v); }
-    /// A value of `table` for every lane, which holds its place.
-    static Lanes gather(const float* table, const Lanes& places) {
-        return _mm256_i32gather_ps(table, _mm256_cvttps_epi32(places.v), 4);
+    /// For every lane the number of `table` at x + width * (y + height * z).
+    static Lanes gather(const float* table, const Lanes& x, const Lanes& y, const Lanes& z, int width,
+                        int height) {
+        const __m256i slabs = _mm256_mullo_epi32(_mm256_cvttps_epi32(z.v), _mm256_set1_epi32(height));
+        const __m256i rows = _mm256_add_epi32(_mm256_cvttps_epi32(y.v), slabs);
+        const __m256i before = _mm256_mullo_epi32(rows, _mm256_set1_epi32(width));
+        return _mm256_i32gather_ps(table, _mm256_add_epi32(_mm256_cvttps_epi32(x.v), before), 4);
     }
 };
 
@@ -55,10 +59,6 @@ inline Lanes root(const Lanes& a) {
 /// To the nearest integer.
 inline Lanes rounded(const Lanes& a) {
     return _mm256_round_ps(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
-}
-/// Towards zero.
-inline Lanes truncated(const Lanes& a) {
-    return _mm256_round_ps(a.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC);
 }
 /// Bit i: not a > b in lane i (so a number that is none counts as collision).
 inline unsigned not_greater(const Lanes& a, const Lanes& b) {

@@ -19,10 +19,14 @@ struct Lanes {
     void store(float* to) const {
         for (int i = 0; i < 8; ++i) to[i] = v[i];
     }
-    /// A value of `table` for every lane, which holds its place.
-    static Lanes gather(const float* table, const Lanes& places) {
+    /// For every lane the number of `table` at x + width * (y + height * z).
+    static Lanes gather(const float* table, const Lanes& x, const Lanes& y, const Lanes& z, int width,
+                        int height) {
         Lanes lanes;
-        for (int i = 0; i < 8; ++i) lanes.v[i] = table[static_cast<int>(places.v[i])];
+        for (int i = 0; i < 8; ++i) {
+            const int row = static_cast<int>(y.v[i]) + height * static_cast<int>(z.v[i]);
+            lanes.v[i] = table[static_cast<int>(x.v[i]) + width * row];
+        }
         return lanes;
     }
 };
@@ -71,10 +75,6 @@ inline Lanes rounded(const Lanes& a) {
     return each(a, a, [](float x, float) {
         return static_cast<float>(static_cast<int>(x + (x < 0 ? -0.5F : 0.5F)));
     });
-}
-/// Towards zero.
-inline Lanes truncated(const Lanes& a) {
-    return each(a, a, [](float x, float) { return static_cast<float>(static_cast<int>(x)); });
 }
 /// Bit i: not a > b in lane i (so a number that is none counts as collision).
 inline unsigned not_greater(const Lanes& a, const Lanes& b) {

@@ -12,7 +12,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tamp/geometry/point_triangle.hpp"
 #include "tamp/scenes/occupancy_map.hpp"
+#include "tamp/scenes/voxelize.hpp"
 
 namespace praxis::tamp {
 
@@ -66,7 +68,15 @@ Solid solid_of(const Capsule& capsule) {
     return solid;
 }
 
-GeometryPointer triangles_of(const std::shared_ptr<const Mesh>& pointer) {
+AxisBox triangle_box(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    const Vector3& first = mesh.vertices[a];
+    const Vector3& second = mesh.vertices[b];
+    const Vector3& third = mesh.vertices[c];
+    return {first.cwiseMin(second).cwiseMin(third), first.cwiseMax(second).cwiseMax(third)};
+}
+
+std::shared_ptr<const MeshTriangles> triangles_of(const std::shared_ptr<const Mesh>& pointer) {
     const Mesh& mesh = *pointer;
     const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
     std::vector<fcl::Triangle> triangles;
@@ -86,17 +96,22 @@ GeometryPointer triangles_of(const std::shared_ptr<const Mesh>& pointer) {
     model->addSubModel(mesh.vertices, triangles);
     model->endModel();
     model->computeLocalAABB();
-    return model;
+    std::vector<AxisBox> boxes;
+    boxes.reserve(mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) boxes.push_back(triangle_box(mesh, triangle));
+    return std::make_shared<const MeshTriangles>(
+        MeshTriangles{mesh.vertices, mesh.triangles, BoxTree(boxes), std::move(model)});
 }
 
 std::shared_ptr<const MapBoxes> boxes_of(const std::shared_ptr<const OccupancyMap>& map) {
     return std::make_shared<const MapBoxes>(MapBoxes{map->boxes(), BoxTree(map->boxes())});
 }
 
-Solid solid_of(GeometryPointer mesh) {
+Solid solid_of(std::shared_ptr<const MeshTriangles> mesh) {
     Solid solid;
-    solid.extent = {mesh->aabb_local.min_, mesh->aabb_local.max_};
-    solid.geometry = std::move(mesh);
+    solid.extent = mesh->tree.bound();
+    solid.geometry = mesh->geometry;
+    solid.mesh = std::move(mesh);
     return solid;
 }
 
@@ -143,6 +158,16 @@ bool touch_map(const Solid& map, const Pose& map_pose, const Solid& other, const
     });
 }
 
+/// FCL sees contacts of balls and triangles that are centimetres apart; distances do not.
+bool touch_mesh(const MeshTriangles& mesh, const Pose& mesh_pose, const Vector3& center, double radius) {
+    const Vector3 point = mesh_pose.inverse() * center;
+    return mesh.tree.any_of(box_around(point, radius), [&](std::size_t index) {
+        const auto& [a, b, c] = mesh.triangles[index];
+        return squared_distance(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]) <=
+               radius * radius;
+    });
+}
+
 }  // namespace
 
 bool touch(const Solid& first, const Pose& first_pose, const Solid& second, const Pose& second_pose) {
@@ -152,6 +177,12 @@ bool touch(const Solid& first, const Pose& first_pose, const Solid& second, cons
     }
     if (first.map) return touch_map(first, first_pose, second, second_pose);
     if (second.map) return touch_map(second, second_pose, first, first_pose);
+    if (first.mesh && second.radius >= 0) {
+        return touch_mesh(*first.mesh, first_pose, second_pose.translation(), second.radius);
+    }
+    if (second.mesh && first.radius >= 0) {
+        return touch_mesh(*second.mesh, second_pose, first_pose.translation(), first.radius);
+    }
     return collide(*first.geometry, first_pose, *second.geometry, second_pose);
 }
 
@@ -203,6 +234,21 @@ std::vector<Solid> SolidCache::make(const std::vector<PlacedShape>& shapes) {
         solids.push_back(std::move(solid));
     }
     return solids;
+}
+
+std::shared_ptr<const DistanceGrid> SolidCache::distances(const std::shared_ptr<const Mesh>& mesh) {
+    return mesh_distances_.get(mesh, [](const std::shared_ptr<const Mesh>& from) {
+        constexpr double kCells = 64;  // along the longest side
+        AxisBox box = triangle_box(*from, from->triangles.front());
+        for (const auto& triangle : from->triangles) box.include(triangle_box(*from, triangle));
+        return std::make_shared<const DistanceGrid>(voxelize(*from, box.size().maxCoeff() / kCells));
+    });
+}
+
+std::shared_ptr<const DistanceGrid> SolidCache::distances(const std::shared_ptr<const OccupancyMap>& map) {
+    return map_distances_.get(map, [](const std::shared_ptr<const OccupancyMap>& from) {
+        return std::make_shared<const DistanceGrid>(from->obstacles());
+    });
 }
 
 }  // namespace praxis::tamp

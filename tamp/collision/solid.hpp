@@ -5,6 +5,8 @@
 // next.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -12,6 +14,7 @@
 
 #include "tamp/geometry/box_tree.hpp"
 #include "tamp/geometry/shape.hpp"
+#include "tamp/scenes/distance_grid.hpp"
 
 namespace fcl {
 template <typename S>
@@ -26,10 +29,19 @@ struct MapBoxes {
     BoxTree tree = {};
 };
 
+/// A mesh: for FCL, and for balls, whose distances to triangles are compared.
+struct MeshTriangles {
+    std::vector<Vector3> vertices = {};
+    std::vector<std::array<std::uint32_t, 3>> triangles = {};
+    BoxTree tree = {};
+    std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};
+};
+
 struct Solid {
     Pose pose = Pose::Identity();                                         ///< in the frame of the owner
     std::shared_ptr<const fcl::CollisionGeometry<double>> geometry = {};  ///< none: a map
     std::shared_ptr<const MapBoxes> map = {};
+    std::shared_ptr<const MeshTriangles> mesh = {};
     double radius = -1;   ///< of a sphere; -1: not one
     AxisBox extent = {};  ///< of the geometry, in its own frame
     Ball bound = {};      ///< around it, in the frame of the owner
@@ -47,6 +59,9 @@ class SolidCache {
   public:
     /// Throws std::invalid_argument if a number of a shape is not finite or not positive.
     std::vector<Solid> make(const std::vector<PlacedShape>& shapes);
+    /// Distances to the surface of a mesh, and to the obstacles of a map.
+    std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const Mesh>& mesh);
+    std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const OccupancyMap>& map);
 
   private:
     /// What was made of something that others own.
@@ -64,8 +79,10 @@ class SolidCache {
         std::mutex mutex_;
         std::unordered_map<const From*, Entry> entries_;
     };
-    Kept<Mesh, fcl::CollisionGeometry<double>> meshes_;
+    Kept<Mesh, MeshTriangles> meshes_;
     Kept<OccupancyMap, MapBoxes> maps_;
+    Kept<Mesh, DistanceGrid> mesh_distances_;
+    Kept<OccupancyMap, DistanceGrid> map_distances_;
 };
 
 }  // namespace praxis::tamp

@@ -109,9 +109,9 @@ class RrtConnect {
             difference(trees_[0][0], trees_[1][goal], change);
             along(trees_[0][0], change, 1, end);
             if (!is_free(trees_[0][0], end)) continue;
-            result_.path = {
-                Configuration(trees_[0][0], trees_[0][0] + dimension_),
-                Configuration(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(dimension_))};
+            append_branch(trees_[0], 0, result_.path);
+            append_branch(trees_[1], goal, result_.path);
+            unroll(result_.path);
             result_.goal = goal;
             return true;
         }
@@ -179,22 +179,26 @@ class RrtConnect {
         for (; node >= 0; node = tree.parent(node)) path.emplace_back(tree[node], tree[node] + dimension_);
     }
 
-    /// The path over two nodes, one of each tree, that are at the same place.
-    void join(int node, int other_node) {
-        const int from_start = growing_ == 0 ? node : other_node;
-        int from_goal = growing_ == 0 ? other_node : node;
-        append_branch(trees_[0], from_start, result_.path);
+    /// The path over a node of the other tree and the last node of the growing one, which is at the same
+    /// place but for rounding and left out.
+    void join(int last, int other_node) {
+        const int before = trees_[growing_].parent(last);
+        append_branch(trees_[0], growing_ == 0 ? before : other_node, result_.path);
         std::ranges::reverse(result_.path);
-        append_branch(trees_[1], trees_[1].parent(from_goal), result_.path);
+        int from_goal = growing_ == 0 ? other_node : before;
+        append_branch(trees_[1], from_goal, result_.path);
         while (trees_[1].parent(from_goal) >= 0) from_goal = trees_[1].parent(from_goal);
         result_.goal = from_goal;
-        for (std::size_t i = 1; i < result_.path.size(); ++i) {
+        unroll(result_.path);
+    }
+
+    /// Lets continuous variables run on without jumps.
+    void unroll(Path& path) const {
+        for (std::size_t i = 1; i < path.size(); ++i) {
             Point change;
-            Point unrolled;
-            difference(result_.path[i - 1].data(), result_.path[i].data(), change);
-            along(result_.path[i - 1].data(), change, 1, unrolled);
+            difference(path[i - 1].data(), path[i].data(), change);
             for (std::size_t v = 0; v < dimension_; ++v) {
-                if (periods_[v] > 0) result_.path[i][v] = unrolled[v];
+                if (periods_[v] > 0) path[i][v] = path[i - 1][v] + change[v];
             }
         }
     }

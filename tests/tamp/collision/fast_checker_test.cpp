@@ -7,6 +7,7 @@
 
 #include "tamp/collision/kernel_model.hpp"
 #include "tamp/robots/builtin.hpp"
+#include "tamp/scenes/occupancy_map.hpp"
 #include "tests/tamp/support/ball_arm.hpp"
 
 namespace praxis::tamp {
@@ -84,12 +85,68 @@ TEST(FastChecker, HeldBodiesAreLookedAtAndMayTouchTheHand) {
     World world = random_world(random, 8);
     BodyModel model;
     model.name = "held";
-    model.shapes.push_back({Pose::Identity(), Box{{0.04, 0.04, 0.3}}});
+    model.shapes.push_back({Pose::Identity(), Box{{0.04, 0.04, 0.1}}});
     model.balls = cover(model.shapes);
     world = world.with_body(std::make_shared<const BodyModel>(std::move(model)), Pose::Identity());
     const int held = world.find("held");
     const World carrying = world.with_attached(held, {hand.link, hand.tool, hand.links});
     expect_agreement(problem_of(robot, carrying, robot->find_group("arm")), 8);
+}
+
+/// The skin of a ball, in triangles.
+std::shared_ptr<const Mesh> dome(double radius) {
+    constexpr std::uint32_t kSides = 12;
+    Mesh mesh = {.name = "dome"};
+    for (std::uint32_t i = 0; i <= kSides; ++i) {
+        for (std::uint32_t j = 0; j < kSides; ++j) {
+            const double polar = std::numbers::pi * i / kSides;
+            const double around = 2 * std::numbers::pi * j / kSides;
+            mesh.vertices.push_back(radius * Vector3(std::sin(polar) * std::cos(around),
+                                                     std::sin(polar) * std::sin(around), std::cos(polar)));
+            if (i == 0) continue;
+            const std::uint32_t next = (j + 1) % kSides;
+            const std::uint32_t above = (i - 1) * kSides;
+            const std::uint32_t below = i * kSides;
+            mesh.triangles.push_back({above + j, below + j, below + next});
+            mesh.triangles.push_back({above + j, below + next, above + next});
+        }
+    }
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+TEST(FastChecker, MeshesAreAskedAboutByDistances) {
+    Random random(17);
+    BodyModel model;
+    model.name = "dome";
+    model.shapes.push_back({Pose::Identity(), dome(0.3)});
+    World world = random_world(random, 4);
+    world = world.with_body(std::make_shared<const BodyModel>(std::move(model)),
+                            pose_from_rpy({0.5, 0.3, 0.4}, {0.4, 0.2, 0.1}));
+    expect_agreement(problem_of(ball_arm(), world, 0), 18);
+}
+
+TEST(FastChecker, MapsAreAskedAboutByDistances) {
+    Random random(19);
+    VoxelGrid grid = {{-1, -1, -0.2}, 0.04, {50, 50, 40}};
+    std::vector<Occupancy> cells(grid.size(), Occupancy::free);
+    for (int i = 0; i < 150; ++i) {
+        const std::array<int, 3> corner = {static_cast<int>(random.below(48)),
+                                           static_cast<int>(random.below(48)),
+                                           static_cast<int>(random.below(38))};
+        if (std::abs(corner[0] - 24) < 10 && std::abs(corner[1] - 24) < 10) continue;
+        const Occupancy occupancy = i % 2 == 0 ? Occupancy::occupied : Occupancy::unknown;
+        for (int k = 0; k < 8; ++k) {
+            cells[grid.index(corner[0] + (k & 1), corner[1] + (k >> 1 & 1), corner[2] + (k >> 2))] =
+                occupancy;
+        }
+    }
+    BodyModel model;
+    model.name = "map";
+    model.shapes.push_back({Pose::Identity(), std::make_shared<const OccupancyMap>(grid, std::move(cells))});
+    const auto shared = std::make_shared<const BodyModel>(std::move(model));
+    expect_agreement(problem_of(ball_arm(), World().with_body(shared, Pose::Identity()), 0), 20);
+    const Pose turned = pose_from_rpy({0.1, 0, 0.1}, {0.2, -0.1, 0.5});
+    expect_agreement(problem_of(ball_arm(), World().with_body(shared, turned), 0), 20);
 }
 
 TEST(FastChecker, FixedContactsLeaveNothingFree) {

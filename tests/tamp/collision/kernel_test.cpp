@@ -91,12 +91,13 @@ TEST(Kernel, EveryRakeComesOnceAndTheLastFirst) {
 
 /// A model and the memory that its functions need.
 struct Prepared {
+    SolidCache cache = {};
     KernelModel model;
     kernel::Model view;
     std::vector<Eight> scratch;
 
     explicit Prepared(const CollisionProblem& problem, BallSide side = BallSide::outer)
-        : model(problem, side, PairChange::moving),
+        : model(problem, side, PairChange::moving, cache),
           view(model.view()),
           scratch(static_cast<std::size_t>(kernel::scratch_size(view) / kLanes)) {}
 
@@ -115,7 +116,8 @@ std::vector<Eight> random_block(const Robot& robot, Random& random) {
     std::vector<Eight> block(robot.groups[0].variables.size());
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const Configuration positions = random_positions(robot, robot.groups[0], random);
-        for (std::size_t v = 0; v < positions.size(); ++v) block[v].v[lane] = static_cast<float>(positions[v]);
+        for (std::size_t v = 0; v < positions.size(); ++v)
+            block[v].v[lane] = static_cast<float>(positions[v]);
     }
     return block;
 }

@@ -35,10 +35,14 @@ inline std::shared_ptr<const Robot> ball_arm(bool mobile = false) {
 inline Shape random_shape(Random& random) {
     const auto size = [&] { return uniform(random, 0.03, 0.25); };
     switch (random.below(4)) {
-        case 0: return Sphere{size()};
-        case 1: return Box{{size(), size(), 2 * size()}};
-        case 2: return Cylinder{size(), 2 * size()};
-        default: return Capsule{size(), size()};
+        case 0:
+            return Sphere{size()};
+        case 1:
+            return Box{{size(), size(), 2 * size()}};
+        case 2:
+            return Cylinder{size(), 2 * size()};
+        default:
+            return Capsule{size(), size()};
     }
 }
 
