@@ -7,7 +7,8 @@
 // (LBTRRT, LazyLBTRRT), SST, which does not arrive at a goal exactly, and those that need more than a space.
 //
 // OMPL has one source of random numbers for the process: `seed_ompl` sets it, before the first plan, once.
-// Its messages are switched off at the first plan.
+// Its messages are switched off at the first plan. LazyPRM, LazyPRMstar and SORRTstar of OMPL 1.5.2 leak
+// states.
 #pragma once
 
 #include <cstdint>
