@@ -98,6 +98,7 @@ std::string_view to_string(RefineStatus status);
 
 struct RefineStatistics {
     std::uint64_t searches = 0, groundings = 0;
+    std::uint64_t evaluated = 0;      ///< states, in all searches
     std::uint64_t skeletons = 0;               ///< different plans that were tried
     std::uint64_t stream_calls = 0;            ///< of callbacks
     std::uint64_t samples = 0;                 ///< of these, with success

@@ -228,6 +228,19 @@ class Backjumper {
         }
     }
 
+    bool known(const SkeletonFluent& fluent) const {
+        return std::ranges::all_of(fluent.slots,
+                                   [&](std::uint32_t slot) { return skeleton_.slots[slot].node == kNone; });
+    }
+
+    /// Of the fluents that each explain the failure alone, one that leaves nothing to jump back to, if there
+    /// is one.
+    std::size_t simplest(const Level& level, const SkeletonNode& current) const {
+        for (const std::uint32_t i : level.list->each)
+            if (known(current.fluents[level.fluent_order[i]])) return i;
+        return level.list->each.front();
+    }
+
     void conflict(Level& level, std::uint32_t slot) {
         const std::uint32_t maker = skeleton_.slots[slot].node;
         if (maker != kNone) level.conflict.set(depth_of_[maker]);
@@ -249,7 +262,20 @@ class Backjumper {
             for (std::uint32_t i = 0; i < skeleton_.nodes[n].fluents.size(); ++i)
                 if (explanation.test(first_fluent_[n] + i)) outcome.fluents.emplace_back(n, i);
         }
+        if (outcome.fluents.size() == 1) add_others(outcome);
         return outcome;
+    }
+
+    void add_others(SampleOutcome& outcome) const {
+        const auto [n, chosen] = outcome.fluents.front();
+        const Level& level = levels_[depth_of_[n]];
+        if (level.list == nullptr || level.list->count > 0 || !known(skeleton_.nodes[n].fluents[chosen]))
+            return;
+        for (const std::uint32_t i : level.list->each) {
+            const std::uint32_t other = level.fluent_order[i];
+            if (other != chosen && known(skeleton_.nodes[n].fluents[other]))
+                outcome.others.emplace_back(n, other);
+        }
     }
 
     /// The limit is reached: the node that failed most often is to blame, as far as one can tell.

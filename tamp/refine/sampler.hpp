@@ -29,8 +29,10 @@ struct SampleOutcome {
     /// If not: no values exist, whatever is sampled. Otherwise a limit has cut something off.
     bool definite = true;
     std::vector<std::uint32_t> nodes;  ///< that explain the failure
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        fluents;  ///< and of them these fluents: (node, fluent)
+    /// And of them these fluents: (node, fluent).
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> fluents;
+    /// Each of these would explain it in place of `fluents`, of which there is one then.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> others;
 };
 
 SampleOutcome sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
