@@ -96,7 +96,7 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
 
 bool Refiner::exact(const SymbolicTask& task) const {
     const OptimisticTask& optimistic = task.optimistic();
-    if (!optimistic.complete || !optimistic.materialised || !problem_.options.nogoods) return false;
+    if (!optimistic.complete || !optimistic.materialised) return false;
     for (std::size_t object = 0; object < task.shared().size(); ++object) {
         if (!task.shared()[object]) continue;
         const StreamInstance& instance = optimistic.instances[optimistic.producer[object]];
@@ -175,15 +175,16 @@ bool Refiner::attempt(const SymbolicTask& task, const Skeleton& skeleton, std::u
                    << shift;
     limits.attempts = kFirstAttempts << shift;
     limits.backjumping = problem_.options.backjumping;
-    SampleOutcome outcome = sample(task, skeleton, samples_, limits, budget_);
-    if (outcome.solved) {
-        report(task, skeleton, outcome);
+    limits.blame = problem_.options.nogoods;
+    std::vector<SampleOutcome> outcomes = sample(task, skeleton, samples_, limits, budget_);
+    if (outcomes.front().solved) {
+        report(task, skeleton, outcomes.front());
         return true;
     }
-    if (problem_.options.nogoods)
-        lessons = learn(*problem_.task, task, skeleton, std::move(outcome));
-    else
-        lessons = {exclude(task, skeleton)};
+    lessons.clear();
+    for (SampleOutcome& outcome : outcomes)
+        for (Lesson& lesson : learn(*problem_.task, task, skeleton, std::move(outcome)))
+            lessons.push_back(std::move(lesson));
     return false;
 }
 

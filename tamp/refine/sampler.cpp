@@ -91,6 +91,23 @@ class Backjumper {
         return outcome;
     }
 
+    /// Failures of nodes that depend on no other and are not among those of `first`.
+    std::vector<SampleOutcome> probe(const SampleOutcome& first) {
+        std::vector<SampleOutcome> result;
+        for (std::uint32_t depth = 0; depth < levels_.size() && !stopped_; ++depth) {
+            const StreamInfo& info = samples_.info(node(depth).stream);
+            const bool single = node(depth).outputs.empty() || info.max_samples == 1;
+            if (!single || !dependencies(order_[depth]).empty()) continue;
+            if (std::ranges::find(first.nodes, order_[depth]) != first.nodes.end()) continue;
+            enter(depth);
+            if (advance(depth) || stopped_) continue;
+            blame(depth);
+            SampleOutcome outcome = failure(levels_[depth].explanation);
+            if (outcome.definite) result.push_back(std::move(outcome));
+        }
+        return result;
+    }
+
   private:
     struct Level {
         SampleList* list = nullptr;
@@ -217,7 +234,7 @@ class Backjumper {
         // Of a stream with fluents that had samples, nothing is known in other states.
         if (level.cut || !list.definite || (list.count > 0 && !level.fluents.empty()))
             level.explanation.set(soft_bit());
-        const bool everything = list.count > 0 || list.attempts == 0;
+        const bool everything = !limits_.blame || list.count > 0 || list.attempts == 0;
         for (std::size_t i = 0; i < current.inputs.size(); ++i)
             if (everything || list.inputs[i]) conflict(level, current.inputs[i]);
         for (std::size_t i = 0; i < level.fluents.size(); ++i) {
@@ -269,7 +286,8 @@ class Backjumper {
     void add_others(SampleOutcome& outcome) const {
         const auto [n, chosen] = outcome.fluents.front();
         const Level& level = levels_[depth_of_[n]];
-        if (level.list == nullptr || level.list->count > 0 || !known(skeleton_.nodes[n].fluents[chosen]))
+        if (!limits_.blame || level.list == nullptr || level.list->count > 0 ||
+            !known(skeleton_.nodes[n].fluents[chosen]))
             return;
         for (const std::uint32_t i : level.list->each) {
             const std::uint32_t other = level.fluent_order[i];
@@ -307,9 +325,13 @@ class Backjumper {
 
 }  // namespace
 
-SampleOutcome sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
-                     const SampleLimits& limits, const Budget& budget) {
-    return Backjumper(task, skeleton, samples, limits, budget).run();
+std::vector<SampleOutcome> sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
+                                  const SampleLimits& limits, const Budget& budget) {
+    Backjumper backjumper(task, skeleton, samples, limits, budget);
+    std::vector<SampleOutcome> outcomes{backjumper.run()};
+    if (outcomes.front().solved || !limits.blame) return outcomes;
+    for (SampleOutcome& other : backjumper.probe(outcomes.front())) outcomes.push_back(std::move(other));
+    return outcomes;
 }
 
 }  // namespace praxis::tamp
