@@ -82,7 +82,7 @@ struct RefinedPlan {
 
 /// What was tried in vain; equal ones are counted together.
 struct Attempt {
-    std::string action;  ///< that wanted it; "(pick can4 #g1)"
+    std::string action;  ///< that wanted it; "(pick can4 #g1)"; empty: all samples were enumerated
     std::string stream;
     Reason reason = Reason::other;
     std::string message;

@@ -82,7 +82,6 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
     definite_.clear();
     soft_.clear();
     waiting_.clear();
-    reasons_.clear();
     round_ = 0;
     OptimisticTask optimistic = instantiate(*problem_.task, samples_, options, budget_);
     if (budget_.exhausted() != Stop::none) return std::nullopt;
@@ -196,8 +195,9 @@ bool Refiner::remember(const std::vector<Lesson>& lessons) {
         any = true;
         nogoods.push_back(lesson.nogood);
         ++(lesson.definite ? result_.statistics.nogoods : result_.statistics.soft_nogoods);
-        if (reasons_.size() < kMostReasons && std::ranges::find(reasons_, lesson.reason) == reasons_.end())
-            reasons_.push_back(lesson.reason);
+        std::vector<std::string>& reasons = lesson.definite ? reasons_ : doubts_;
+        if (reasons.size() < kMostReasons && std::ranges::find(reasons, lesson.reason) == reasons.end())
+            reasons.push_back(lesson.reason);
     }
     return any;
 }
@@ -225,10 +225,19 @@ Refinement Refiner::finish(End end) {
                      : stop == Stop::interrupted ? RefineStatus::cancelled
                                                  : RefineStatus::out_of_budget;
     result_.reasons = std::move(reasons_);
-    if (end == End::proved && result_.reasons.empty())
-        result_.reasons.emplace_back("the goal cannot be reached, whatever the streams give");
+    if (end != End::proved)
+        for (const std::string& doubt : doubts_) result_.reasons.push_back(doubt + ", so far");
     if (end == End::stuck)
         result_.reasons.emplace_back("nothing is left to try, but not all failures are definite");
+    if (!result_.reasons.empty()) return std::move(result_);
+    for (const Attempt& attempt : result_.attempts)
+        result_.reasons.push_back(attempt.stream + ": " + attempt.message + " (" +
+                                  std::to_string(attempt.count) + " times)");
+    if (result_.reasons.empty())
+        result_.reasons.emplace_back(end == End::proved
+                                         ? "no sequence of actions leads to the goal, whatever the "
+                                           "streams give"
+                                         : "the budget ended before anything failed");
     return std::move(result_);
 }
 

@@ -52,7 +52,8 @@ class Refiner {
     std::vector<Nogood> soft_;
     std::vector<Waiting> waiting_;
     std::uint32_t round_ = 0;
-    std::vector<std::string> reasons_;
+    std::vector<std::string> reasons_;  ///< of definite failures
+    std::vector<std::string> doubts_;   ///< of others
 };
 
 }  // namespace praxis::tamp
