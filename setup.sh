@@ -11,6 +11,9 @@ plan_packages=(g++ cmake ninja-build ccache libboost-dev libcli11-dev nlohmann-j
 tamp_packages=(libeigen3-dev libfcl-dev liboctomap-dev libompl-dev liburdfdom-dev libassimp-dev libtinyxml2-dev
                libyaml-cpp-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev)
 test_packages=(libgtest-dev librapidcheck-dev libssl-dev libpng-dev liborocos-kdl-dev)
+# Programs that may be there from elsewhere: the viewer's packages come by npm, and its tests look at it in chromium.
+type npm >/dev/null 2>&1 || tamp_packages+=(npm)
+type chromium >/dev/null 2>&1 || test_packages+=(chromium)
 other_packages=(clang libclang-rt-14-dev libbenchmark-dev python3)
 
 mode=plan

@@ -2,6 +2,7 @@
 #include <map>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "app/command_line_parts.hpp"
 #include "belief/policies/policy.hpp"
 

@@ -9,9 +9,9 @@
 #include "app/belief_table.hpp"
 #include "app/belief_teller.hpp"
 #include "app/belief_worlds.hpp"
-#include "search/text/output.hpp"
 #include "belief/explore.hpp"
 #include "belief/simulated_robot.hpp"
+#include "search/text/output.hpp"
 
 namespace praxis::app {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/run.hpp"
 
 namespace praxis::app {

@@ -1,6 +1,7 @@
 // `plan belief --offline`: a conditional plan.
 #pragma once
 
+#include "app/command_line.hpp"
 #include "app/run.hpp"
 #include "belief/knowledge_planner.hpp"
 

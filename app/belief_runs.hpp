@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/run.hpp"
 #include "belief/agent.hpp"
 #include "belief/simulated_world.hpp"

@@ -7,18 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/common_options.hpp"
 #include "practice/experiment/experiment_options.hpp"
 
 namespace praxis::app {
-
-/// Options that every command has.
-struct CommonOptions {
-    bool quiet = false;                     ///< nothing on standard error but errors
-    bool verbose = false;                   ///< phases and statistics on standard error
-    std::string json;                       ///< file for the report; "-": standard output; empty: none
-    std::optional<double> time_limit;       ///< wall seconds of the whole process
-    std::optional<double> memory_limit_mb;  ///< resident memory of the process, MiB
-};
 
 struct PlanOptions : CommonOptions {
     std::string domain;  ///< empty: look for it beside the problem
@@ -87,15 +79,13 @@ struct ListOptions {
     std::string kind;  ///< evaluators, engines or aliases; empty: all
 };
 
-/// Nothing is left to do (help, version, wrong usage): the process ends with this code.
-struct Done {
-    int exit_code = 0;
-};
-
 using Request = std::variant<Done, PlanOptions, ValidateOptions, GroundCommandOptions, BeliefOptions,
                              PracticeCommandOptions, ListOptions>;
 
 /// Reads the command line; prints help and usage errors itself.
 Request parse_command_line(int argc, const char* const* argv);
+/// `plan belief` and `plan practice`, in files of their own; arguments in reverse.
+Request parse_belief_command(std::vector<std::string> arguments);
+Request parse_practice_command(std::vector<std::string> arguments);
 
 }  // namespace praxis::app

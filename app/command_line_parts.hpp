@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/common_options.hpp"
 
 namespace praxis::app {
 
@@ -25,9 +25,5 @@ Done usage_error(const std::string& message, const char* hint);
 
 /// Parses and answers for help, version and wrong usage; nothing if the options are ready to use.
 std::optional<Done> parse(CLI::App& app, std::vector<std::string> arguments, const char* hint);
-
-/// `plan belief` and `plan practice`, in files of their own.
-Request parse_belief_command(std::vector<std::string> arguments);
-Request parse_practice_command(std::vector<std::string> arguments);
 
 }  // namespace praxis::app

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -107,17 +106,9 @@ class Conclusion {
     void write_charts(const std::vector<Curve>& curves, const std::vector<EnvironmentResult>& results) const {
         const std::vector<CurveSummary> summaries = summarise(curves);
         const bool several = options_.experiment.environments.size() > 1;
-        std::span<const CurveSummary> rest = summaries;
-        for (const EnvironmentResult& result : results) {
-            ChartOptions chart;
-            chart.title = result.environment;
-            chart.x_label = "transitions";
-            chart.y_label = "tasks solved";
-            chart.mark = options_.threshold;
+        for (const EnvironmentResult& result : results)
             write_file(several ? file_of(options_.svg, result.environment) : options_.svg,
-                       learning_chart(rest.first(result.methods.size()), chart));
-            rest = rest.subspan(result.methods.size());
-        }
+                       learning_chart(result.environment, summaries, options_.threshold));
     }
 
     std::string page(const std::vector<RunResult>& runs) const {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/command_line_parts.hpp"
 #include "practice/competence/competence_model.hpp"
 #include "practice/environments/environments.hpp"
@@ -141,7 +142,7 @@ void add_experiment_options(CLI::App& app, ExperimentOptions& options) {
     add("--learn-every", practice.learn_every, "N",
         "Learn after N skills, 0: at the end of a cycle (default: 25)", integer_between(0, kMost));
     add("--test-every", practice.test_every, "N",
-        "Test after N skills, 0: at the end of a cycle (default: 0)", integer_between(0, kMost));
+        "Test after N skills, too; 0: at the end of a cycle only (default: 0)", integer_between(0, kMost));
     add("--test-tasks", practice.test_tasks, "N", "Tasks a test (default: 100)", integer_between(1, kMost));
     app.add_flag_callback(
            "--no-reset", [&practice] { practice.reset = false; },

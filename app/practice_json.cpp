@@ -8,7 +8,7 @@ namespace {
 using namespace praxis::practice;
 using Json = nlohmann::ordered_json;
 
-Json to_value(const Estimate& estimate) {
+Json to_value(const IntervalEstimate& estimate) {
     return {{"mean", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
 }
 

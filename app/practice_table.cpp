@@ -23,13 +23,13 @@ std::string interval(double low, double high, std::string (*text)(double)) {
     return " [" + text(low) + ", " + text(high) + "]";
 }
 
-std::string solved(const Estimate& share) {
+std::string solved(const IntervalEstimate& share) {
     return per_cent(share.value) + " %" +
            (share.count > 1 ? interval(share.low, share.high, per_cent) : std::string());
 }
 
 std::string transitions(const ReachedSummary& reached) {
-    const Estimate& mean = reached.mean;
+    const IntervalEstimate& mean = reached.mean;
     if (reached.censored == mean.count) return "never within " + grouped(mean.value);
     std::string text = (reached.censored > 0 ? "at least " : "") + grouped(mean.value);
     if (mean.count > 1) text += interval(mean.low, mean.high, grouped);

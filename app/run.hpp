@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "app/command_line.hpp"
+#include "app/common_options.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/watcher.hpp"

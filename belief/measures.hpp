@@ -14,6 +14,8 @@
 #include <span>
 #include <string>
 
+#include "search/statistics.hpp"
+
 namespace praxis::belief {
 
 /// One run. Lengths and costs are of the same unit: actions, or their costs.
@@ -27,35 +29,23 @@ struct MeasuredRun {
     double processor_seconds = 0;
 };
 
-/// An estimate with its 95 % confidence interval.
-struct Estimate {
-    double value = 0;
-    double low = 0, high = 0;
-};
-
-/// A rate of `count` trials: Wilson's score interval (1927). Of no trials: 0, in [0, 1].
-Estimate rate(std::size_t successes, std::size_t count);
-
-/// The mean of values, with Student's interval: mean -+ t s / sqrt(n). Of one value the interval is that
-/// value; of none everything is 0.
-Estimate mean(std::span<const double> values);
-
 /// S * l / max(p, l); 1 where both lengths are 0. Throws std::invalid_argument for negative or infinite
 /// lengths.
 double success_weighted(bool success, double length, double best);
 
+/// Estimates with their 95 % intervals; of no runs all are 0.
 struct Measures {
     std::size_t runs = 0;
-    Estimate success, false_success;
+    IntervalEstimate success, false_success;
     /// Nothing unless all runs have the length that is needed.
-    std::optional<Estimate> spl_info, spl_omni;
+    std::optional<IntervalEstimate> spl_info, spl_omni;
     /// Sum of p by the sum of the best policy's l over the runs that succeeded. Where several policies are
     /// equally good SPL_info is below 1 even for one of them, as another may be luckier in a world; this
     /// is 1.
     std::optional<double> length_ratio;
-    Estimate length;             ///< over all runs
-    Estimate successful_length;  ///< over those that succeeded
-    Estimate plans, processor_seconds;
+    IntervalEstimate length;                            ///< over all runs
+    std::optional<IntervalEstimate> successful_length;  ///< over those that succeeded, if any did
+    IntervalEstimate plans, processor_seconds;
 };
 
 Measures measure(std::span<const MeasuredRun> runs);

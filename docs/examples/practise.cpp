@@ -4,6 +4,7 @@
 #include <iostream>
 #include <practice/loop/journal.hpp>
 #include <practice/loop/practice_loop.hpp>
+#include <practice/loop/settings_text.hpp>
 
 using namespace praxis::practice;
 

@@ -192,9 +192,11 @@ std::string line_chart(std::span<const ChartLine> lines, const ChartOptions& opt
     return Chart(lines, options).text();
 }
 
-std::string learning_chart(std::span<const CurveSummary> methods, const ChartOptions& options) {
+std::string learning_chart(const std::string& environment, std::span<const CurveSummary> summaries,
+                           double threshold) {
     std::vector<ChartLine> lines;
-    for (const CurveSummary& summary : methods) {
+    for (const CurveSummary& summary : summaries) {
+        if (summary.environment != environment) continue;
         ChartLine& line = lines.emplace_back();
         line.name = summary.method;
         for (const auto& [transitions, solved] : summary.points) {
@@ -203,6 +205,11 @@ std::string learning_chart(std::span<const CurveSummary> methods, const ChartOpt
                                    band ? solved.low : solved.value, band ? solved.high : solved.value});
         }
     }
+    ChartOptions options;
+    options.title = environment;
+    options.x_label = "transitions";
+    options.y_label = "tasks solved";
+    options.mark = threshold;
     return line_chart(lines, options);
 }
 

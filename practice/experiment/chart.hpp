@@ -35,7 +35,9 @@ struct ChartOptions {
 /// size below 300 x 200.
 std::string line_chart(std::span<const ChartLine> lines, const ChartOptions& options);
 
-/// The curves of one environment; bands from two seeds on.
-std::string learning_chart(std::span<const CurveSummary> methods, const ChartOptions& options);
+/// The mean curves of one environment, of those given: tasks solved by transitions, with the environment's
+/// name above, bands from two seeds on, and `threshold` (a share of tasks) marked.
+std::string learning_chart(const std::string& environment, std::span<const CurveSummary> summaries,
+                           double threshold);
 
 }  // namespace praxis::practice

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "practice/experiment/results.hpp"
-#include "practice/experiment/statistics.hpp"
 #include "practice/experiment/threshold.hpp"
+#include "search/statistics.hpp"
 
 namespace praxis::practice {
 
@@ -28,11 +28,12 @@ struct AgainstReference {
 
 struct MethodResult {
     std::string method;
-    Estimate solved;                 ///< at the end, over the runs
-    std::optional<Estimate> pooled;  ///< the same over all tasks of all runs, as if they were independent
+    IntervalEstimate solved;  ///< at the end, over the runs
+    /// The same over all tasks of all runs, as if they were independent.
+    std::optional<IntervalEstimate> pooled;
     ReachedSummary reached;
-    Estimate processor_seconds;               ///< of a run's practice and learning
-    Estimate evaluation_seconds;              ///< of a run's evaluations
+    IntervalEstimate processor_seconds;       ///< of a run's practice and learning
+    IntervalEstimate evaluation_seconds;      ///< of a run's evaluations
     std::optional<AgainstReference> against;  ///< none for the reference
 };
 

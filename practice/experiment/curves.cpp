@@ -20,8 +20,7 @@ void check_curve(const Curve& curve) {
     if (curve.points.empty()) refuse(curve, "has no evaluation");
     const CurvePoint* before = nullptr;
     for (const CurvePoint& point : curve.points) {
-        if (point.cycle < 0 || (before && point.cycle < before->cycle))
-            refuse(curve, "has cycles that fall");
+        if (point.cycle < 0 || (before && point.cycle < before->cycle)) refuse(curve, "has cycles that fall");
         if (point.transitions < 0 || (before && point.transitions < before->transitions))
             refuse(curve, "has transitions that fall");
         if (!(point.solved >= 0 && point.solved <= 1)) refuse(curve, "has fractions outside of 0 to 1");
@@ -87,13 +86,6 @@ std::vector<std::int64_t> common_grid(std::span<const Curve> curves, std::size_t
     std::vector<std::int64_t> all;
     for (const Curve& curve : curves) append_transitions(curve, all);
     return grid_of(std::move(all), most);
-}
-
-Estimate fraction_estimate(std::span<const double> fractions, double confidence) {
-    Estimate result = mean_estimate(fractions, confidence);
-    result.low = std::max(0.0, result.low);
-    result.high = std::min(1.0, result.high);
-    return result;
 }
 
 std::vector<CurveSummary> summarise(std::span<const Curve> curves, double confidence, std::size_t most) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "practice/experiment/results.hpp"
-#include "practice/experiment/statistics.hpp"
+#include "search/statistics.hpp"
 
 namespace praxis::practice {
 
@@ -39,7 +39,7 @@ std::vector<std::int64_t> common_grid(std::span<const Curve> curves, std::size_t
 
 struct SummaryPoint {
     std::int64_t transitions = 0;
-    Estimate solved;  ///< over the seeds; Student's interval cut to [0, 1]
+    IntervalEstimate solved;  ///< over the seeds; Student's interval cut to [0, 1]
     bool operator==(const SummaryPoint&) const = default;
 };
 
@@ -54,8 +54,5 @@ struct CurveSummary {
 /// curves.
 std::vector<CurveSummary> summarise(std::span<const Curve> curves, double confidence = 0.95,
                                     std::size_t most = 200);
-
-/// `mean_estimate` of fractions: the interval is cut to [0, 1].
-Estimate fraction_estimate(std::span<const double> fractions, double confidence = 0.95);
 
 }  // namespace praxis::practice

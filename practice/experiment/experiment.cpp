@@ -16,7 +16,8 @@
 #include "parser/diagnostic.hpp"
 #include "practice/environments/environments.hpp"
 #include "practice/experiment/time_left.hpp"
-#include "practice/loop/practice_loop.hpp"
+#include "practice/loop/run_practice.hpp"
+#include "practice/loop/settings_text.hpp"
 #include "practice/methods/method.hpp"
 #include "search/text/output.hpp"
 

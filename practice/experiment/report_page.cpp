@@ -13,18 +13,10 @@ std::string report_page(std::span<const RunResult> runs, const ReportOptions& op
     const std::vector<EnvironmentResult> results = compare_methods(runs, options.comparison);
     const std::vector<CurveSummary> summaries = summarise(curves_of(runs), options.comparison.confidence);
     std::string sections;
-    std::span<const CurveSummary> rest = summaries;
-    for (const EnvironmentResult& result : results) {
-        ChartOptions chart;
-        chart.title = result.environment;
-        chart.x_label = "transitions";
-        chart.y_label = "tasks solved";
-        chart.mark = options.comparison.threshold.solved;
+    for (const EnvironmentResult& result : results)
         sections += "<section>\n<h2>" + escape_markup(result.environment) + "</h2>\n" +
-                    learning_chart(rest.first(result.methods.size()), chart) +
+                    learning_chart(result.environment, summaries, options.comparison.threshold.solved) +
                     report_table(result, options.comparison) + "</section>\n";
-        rest = rest.subspan(result.methods.size());
-    }
     if (results.empty()) sections = "<p>No run is finished.</p>\n";
     return report_page_html(options.title, options.summary, sections, report_data(runs, options));
 }

@@ -12,7 +12,8 @@ p{margin:.3em 0}.quiet{color:#66737f}svg{max-width:100%;height:auto;display:bloc
 section{overflow-x:auto}table{border-collapse:collapse;margin:.6em 0}
 th{text-align:left;vertical-align:bottom;font-weight:600;max-width:14em}
 td,th{padding:.15em .9em .15em 0;border-bottom:1px solid #e4e9ee}
-td{font-variant-numeric:tabular-nums}.figures td{white-space:nowrap}
+td{font-variant-numeric:tabular-nums}.figures td{white-space:nowrap;vertical-align:top}
+.figures th{min-width:4em}.figures .quiet{display:block}section .title{display:none}
 nav{display:flex;gap:.6em;align-items:center;margin:.6em 0}nav input{flex:1;max-width:40em}
 code{font:12px ui-monospace,monospace}tr.chosen{background:#fff2cc}
 #list{max-height:16em;overflow:auto}#list li{cursor:pointer}#list li.now{background:#dcebfa}

@@ -18,13 +18,13 @@ std::string with_interval(const std::string& value, double low, double high, Tex
     return value + " <span class=\"quiet\">[" + text(low) + ", " + text(high) + "]</span>";
 }
 
-std::string share(const Estimate& estimate) {
+std::string share(const IntervalEstimate& estimate) {
     const std::string value = per_cent(estimate.value) + " %";
     return estimate.count < 2 ? value : with_interval(value, estimate.low, estimate.high, per_cent);
 }
 
 std::string practice_needed(const ReachedSummary& reached) {
-    const Estimate& mean = reached.mean;
+    const IntervalEstimate& mean = reached.mean;
     if (reached.censored == mean.count) return "not reached within " + grouped(mean.value);
     const std::string value = (reached.censored > 0 ? "at least " : "") + grouped(mean.value);
     return mean.count < 2 ? value : with_interval(value, mean.low, mean.high, grouped);
@@ -36,11 +36,11 @@ std::string median(const ReachedSummary& reached) {
 
 std::string difference(const std::optional<PairedComparison>& solved) {
     if (!solved) return "no common seed";
-    const Estimate& points = solved->difference;
+    const IntervalEstimate& points = solved->difference;
     const std::string value = (points.value > 0 ? "+" : "") + per_cent(points.value);
     if (points.count < 2) return value;
-    return with_interval(value, points.low, points.high, per_cent) + ", " + std::to_string(solved->wins) +
-           " : " + std::to_string(solved->losses);
+    const std::string seeds = std::to_string(solved->wins) + " : " + std::to_string(solved->losses);
+    return with_interval(value + ", " + seeds, points.low, points.high, per_cent);
 }
 
 std::string practice_ratio_text(const PracticeRatio& ratio) {

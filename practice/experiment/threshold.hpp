@@ -13,7 +13,7 @@
 #include <string>
 
 #include "practice/experiment/results.hpp"
-#include "practice/experiment/statistics.hpp"
+#include "search/statistics.hpp"
 
 namespace praxis::practice {
 
@@ -33,7 +33,7 @@ Reached transitions_to(std::span<const CurvePoint> curve, const ThresholdOptions
 
 /// Over the runs of a method.
 struct ReachedSummary {
-    Estimate mean;             ///< of transitions, censored runs with what they practised
+    IntervalEstimate mean;     ///< of transitions, censored runs with what they practised
     double median = 0;         ///< infinite if half of the runs or more are censored
     std::size_t censored = 0;  ///< of `mean.count` runs
 };

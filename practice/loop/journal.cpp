@@ -1,6 +1,7 @@
 #include "practice/loop/journal.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -105,6 +106,7 @@ Journal::Journal(const std::string& path, const std::string& settings) : path_(p
     file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (file_ < 0) fail(path_, "open");
     try {
+        lock();
         read(settings);
     } catch (...) {
         ::close(file_);
@@ -114,6 +116,14 @@ Journal::Journal(const std::string& path, const std::string& settings) : path_(p
 
 Journal::~Journal() {
     ::close(file_);
+}
+
+void Journal::lock() {
+    if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+    if (errno != EWOULDBLOCK) fail(path_, "lock");
+    throw InputError(path_ +
+                     ": error: another run of practice is writing this journal; wait until it ends, or give "
+                     "another name\n");
 }
 
 void Journal::read(const std::string& settings) {

@@ -4,7 +4,8 @@
 // state after it. A line is handed to the operating system before the next skill is executed, and to the disk
 // at the end of each cycle. A run is taken up by going through the journal again: the loop decides as it did,
 // the answers come from the journal, and where it ends the world goes on. A torn last line (the crash came
-// while it was written) is dropped.
+// while it was written) is dropped. An open journal is locked (flock): no other journal, of whatever process,
+// can be opened on the same file, so that two runs cannot mix.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,8 @@ class Journal {
   public:
     /// Opens a journal, or begins one where there is no file (it stays empty until the first record).
     /// `settings` is a text of all that the run's course depends on. Throws InputError for a file that is no
-    /// journal, has a damaged line, or was made with other settings; std::system_error if it cannot be read
-    /// or written.
+    /// journal, has a damaged line, was made with other settings, or is open as a journal already;
+    /// std::system_error if it cannot be read, written or locked.
     Journal(const std::string& path, const std::string& settings);
     ~Journal();
     Journal(const Journal&) = delete;
@@ -51,6 +52,7 @@ class Journal {
     void sync();
 
   private:
+    void lock();
     void read(const std::string& settings);
     void write(const std::string& line);
 

@@ -19,7 +19,8 @@ struct PracticeOptions {
     /// cycle only.
     int learn_every = 25;
     int test_tasks = 100;
-    /// Skills after which the robot is tested, if it has learned since the last test; 0: after each cycle.
+    /// Skills after which the robot is tested, the next time that it has learned. Besides, it is tested after
+    /// each cycle; 0: only then.
     int test_every = 0;
     /// Each cycle begins with a task and its initial state; otherwise the world stays as it was left.
     bool reset = true;

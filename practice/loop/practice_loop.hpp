@@ -2,18 +2,16 @@
 // by the world itself.
 //
 // A cycle: the world gives a task; the robot pursues its goal until it holds or the horizon is spent (task
-// time); then the method chooses what to practise until the cycle's skills are used up (free time); then the
-// parameter policies are learned from all outcomes so far.
+// time); then the method chooses what to practise until the cycle's skills are used up (free time). The
+// parameter policies are learned from all outcomes so far at the end of each cycle, and also within it, each
+// time `PracticeOptions::learn_every` skills have been executed.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <stop_token>
-#include <string>
 
-#include "practice/experiment/results.hpp"
-#include "practice/loop/journal.hpp"
 #include "practice/loop/learner.hpp"
 #include "practice/methods/method.hpp"
 
@@ -45,20 +43,5 @@ class PracticeLoop {
     Moment now_;
     std::int64_t learned_ = 0;  // transitions when the policies were learned last
 };
-
-struct PracticeHooks {
-    /// After each test (the first: before any practice).
-    std::function<void(const RunResult&)> on_test;
-    std::stop_token stop;
-};
-
-/// A whole run in a simulator: cycles, each followed by a test on `test_tasks` tasks that are the same for
-/// all methods and cycles of a seed. With a journal the run is taken up where it was left. Stopped early, the
-/// curve is shorter.
-RunResult run_practice(const SimulatedEnvironment& environment, const PracticeOptions& options,
-                       const PracticeHooks& hooks = {}, const std::string& journal = {});
-
-/// All that the course of a run depends on, as a text.
-std::string settings_text(const Environment& environment, const PracticeOptions& options);
 
 }  // namespace praxis::practice

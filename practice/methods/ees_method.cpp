@@ -1,13 +1,11 @@
 #include "practice/methods/ees_method.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace praxis::practice {
 
 namespace {
 
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kLeastGain = 1e-6;  // nats
 // Gains of plans are smaller than the success rates that the bonus was made for.
 constexpr double kBonusShare = 0.3;

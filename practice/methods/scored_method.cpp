@@ -2,16 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace praxis::practice {
-
-namespace {
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 bool ScoredMethod::considers(SkillIndex skill) const {
     return learner_->options().candidates == "all" || learner_->competences().tries(skill) > 0;

@@ -5,6 +5,7 @@
 // is executed.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,9 @@ struct Candidate {
     double score = 0;  ///< what the method makes of it
 };
 
+/// The score of a candidate that is not to be practised.
+inline constexpr double kNever = -std::numeric_limits<double>::infinity();
+
 class ScoredMethod : public PlannedMethod {
   public:
     using PlannedMethod::PlannedMethod;
@@ -35,7 +39,7 @@ class ScoredMethod : public PlannedMethod {
     std::vector<PracticeChoice> take_choices() final;
 
   protected:
-    /// Fills `score` of each candidate; minus infinity: not to be practised.
+    /// Fills `score` of each candidate.
     virtual void score(std::span<Candidate> candidates) = 0;
     /// Whether the skill is a candidate.
     virtual bool considers(SkillIndex skill) const;

@@ -1,6 +1,7 @@
 #include "practice/planning/cost_planner.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -78,20 +79,32 @@ std::size_t CostPlanner::states() const {
     return sum;
 }
 
+void CostPlanner::forget() {
+    if (tables_.size() <= kMostGoals) return;
+    tables_.resize(kMostGoals);
+    std::erase_if(spaces_, [&](const auto& space) {
+        return std::ranges::none_of(tables_, [&](const auto& table) { return table->space == space.get(); });
+    });
+}
+
 CostPlanner::GoalTable& CostPlanner::table(const std::vector<Fact>& goal) {
-    for (const auto& table : tables_) {
-        if (table->goal == goal) return *table;
+    auto found = std::ranges::find_if(tables_, [&](const auto& table) { return table->goal == goal; });
+    if (found == tables_.end()) {
+        auto made = std::make_unique<GoalTable>();
+        made->goal = goal;
+        made->space = &space(goal);
+        found = tables_.insert(tables_.end(), std::move(made));
     }
-    GoalTable& made = *tables_.emplace_back(std::make_unique<GoalTable>());
-    made.goal = goal;
+    std::rotate(tables_.begin(), found, std::next(found));
+    return *tables_.front();
+}
+
+CostPlanner::Space& CostPlanner::space(const std::vector<Fact>& goal) {
     std::vector<unsigned char> relevant = relevant_variables(skills_->task(), goal);
     for (const auto& space : spaces_) {
-        if (space->relevant == relevant) made.space = space.get();
+        if (space->relevant == relevant) return *space;
     }
-    if (made.space == nullptr)
-        made.space =
-            spaces_.emplace_back(std::make_unique<Space>(*skills_, std::move(relevant), options_)).get();
-    return made;
+    return *spaces_.emplace_back(std::make_unique<Space>(*skills_, std::move(relevant), options_));
 }
 
 bool CostPlanner::reach(GoalTable& table, const std::vector<std::int32_t>& values, NodeIndex& node) {
@@ -134,6 +147,7 @@ std::optional<SkillPlan> CostPlanner::descend(const GoalTable& table, NodeIndex 
 
 std::optional<SkillPlan> CostPlanner::plan(const Situation& situation, std::span<const Cost> costs) {
     if (costs.size() != skills_->size()) throw std::invalid_argument("one cost a skill is needed");
+    forget();
     GoalTable& goal = table(situation.goal);
     NodeIndex node = 0;
     if (!reach(goal, situation.values, node)) return search(situation, costs);
@@ -157,6 +171,7 @@ std::vector<double> CostPlanner::expected_costs(std::span<const Situation> situa
                                                 std::span<const Cost> costs,
                                                 std::span<const Improvement> improvements) {
     if (costs.size() != skills_->size()) throw std::invalid_argument("one cost a skill is needed");
+    forget();
     std::vector<Task> tasks;
     for (const Situation& situation : situations) {
         GoalTable& goal = table(situation.goal);

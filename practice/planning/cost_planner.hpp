@@ -4,6 +4,9 @@
 // variables that matter for a goal), then a plan for changed costs, from a changed state, to a changed goal
 // is a shortest path, exact. Where a task has more states than `most_states`, plans come from the search
 // given by `search`, with costs rounded to 2^-20 nat.
+//
+// What is known about goals is kept for the `kMostGoals` that were asked about last, and states as long as
+// one of these goals needs them: a robot may be given new goals for ever.
 #pragma once
 
 #include <cstddef>
@@ -40,6 +43,8 @@ struct CostPlannerOptions {
 
 class CostPlanner {
   public:
+    static constexpr std::size_t kMostGoals = 256;
+
     /// Throws std::invalid_argument for a wrong search.
     explicit CostPlanner(const SkillTask& skills, const CostPlannerOptions& options = {});
     ~CostPlanner();
@@ -56,8 +61,11 @@ class CostPlanner {
     CostPlanner(const CostPlanner&) = delete;
     CostPlanner& operator=(const CostPlanner&) = delete;
 
-    /// Symbolic states met so far; those of goals for which different variables matter are different states.
+    /// Symbolic states that are kept; those of goals for which different variables matter are different
+    /// states.
     std::size_t states() const;
+    /// Goals that are kept: at most `kMostGoals`, besides those that are new in the last question.
+    std::size_t goals() const { return tables_.size(); }
 
   private:
     struct Scratch;
@@ -77,7 +85,10 @@ class CostPlanner {
     };
     /// What the plan of a task costs in nats, times its weight, by improvement. False: there is no plan.
     static bool weigh(Scratch& scratch, const Task& task, const Question& question, std::span<double> result);
+    /// Forgets the goals that were not asked about for longest; begins each question.
+    void forget();
     GoalTable& table(const std::vector<Fact>& goal);
+    Space& space(const std::vector<Fact>& goal);
     /// The node of the values in the goal's graph. False: the graph is too large.
     static bool reach(GoalTable& table, const std::vector<std::int32_t>& values, NodeIndex& node);
     /// Takes in that the graph has grown.
@@ -92,7 +103,7 @@ class CostPlanner {
     const SkillTask* skills_;
     CostPlannerOptions options_;
     std::vector<std::unique_ptr<Space>> spaces_;
-    std::vector<std::unique_ptr<GoalTable>> tables_;
+    std::vector<std::unique_ptr<GoalTable>> tables_;  // the last asked about first
 };
 
 }  // namespace praxis::practice

@@ -67,6 +67,15 @@ Id find_id(const Items& items, const std::string& name, const char* kind) {
     throw std::invalid_argument(std::string("the domain has no ") + kind + " '" + name + "'");
 }
 
+/// The name that an atom of a goal means by a number.
+const std::string& name_of(const std::vector<std::string>& names, std::int32_t number, const char* kind) {
+    if (number >= 0 && static_cast<std::size_t>(number) < names.size())
+        return names[static_cast<std::size_t>(number)];
+    throw std::invalid_argument("a goal has an atom of " + std::string(kind) + " " + std::to_string(number) +
+                                "; the environment's description has " + std::to_string(names.size()) + " " +
+                                kind + "s, numbered from 0");
+}
+
 }  // namespace
 
 SkillTask::SkillTask(const Environment& environment) : environment_(&environment) {
@@ -151,11 +160,11 @@ std::vector<Fact> SkillTask::goal(std::span<const GroundAtom> atoms) const {
     const Description& description = environment_->description();
     std::vector<Fact> facts;
     for (const GroundAtom& atom : atoms) {
-        const std::string& predicate = description.predicates.at(static_cast<std::size_t>(atom.predicate));
+        const std::string& predicate = name_of(description.predicates, atom.predicate, "predicate");
         std::vector<ObjectId> arguments;
         std::string text = "(" + predicate;
         for (std::int32_t object : atom.objects) {
-            const std::string& name = description.objects.at(static_cast<std::size_t>(object));
+            const std::string& name = name_of(description.objects, object, "object");
             arguments.push_back(find_id<ObjectId>(lifted_->objects, name, "object"));
             text += " " + name;
         }

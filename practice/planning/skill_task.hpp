@@ -42,6 +42,8 @@ class SkillTask {
     /// What holds in a state, by variable (derived ones too). Throws std::logic_error where the environment's
     /// atoms contradict the domain (a robot at two places).
     void read(const State& state, std::vector<std::int32_t>& values) const;
+    /// The facts of a goal, sorted. Throws std::invalid_argument where an atom's numbers are none of the
+    /// description's, or no skills can make it true.
     std::vector<Fact> goal(std::span<const GroundAtom> atoms) const;
     bool holds(std::span<const Fact> facts, const State& state) const;
     std::span<const Fact> precondition(SkillIndex i) const { return task().preconditions[i]; }

@@ -45,6 +45,16 @@ class CollisionChecker {
     /// No contact on the straight segment, checked at `step`; both ends included.
     virtual bool is_motion_free(std::span<const double> from, std::span<const double> to,
                                 double step = kCheckStep) = 0;
+    /// As `is_motion_free` where `from` is known to be free, so that it need not be looked at again.
+    virtual bool is_extension_free(std::span<const double> from, std::span<const double> to,
+                                   double step = kCheckStep) {
+        return is_motion_free(from, to, step);
+    }
+    /// No contact on the straight segment at a quarter of `kCheckStep`, or, where the backend can, anywhere
+    /// on it.
+    virtual bool is_motion_certified(std::span<const double> from, std::span<const double> to) {
+        return is_motion_free(from, to, kCheckStep / 4);
+    }
     /// Who touches at these positions: appends to `contacts` every pair, without repeating one.
     virtual void find_contacts(std::span<const double> positions, std::vector<Contact>& contacts) = 0;
     /// Contacts among what the group does not move: then every position of it is in collision.

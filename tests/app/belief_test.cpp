@@ -283,27 +283,35 @@ TEST_F(BeliefCommand, FilesThatAreMissingOrWrong) {
     EXPECT_TRUE(contains(outcome.err, "wrong.pddl:2:")) << outcome.err;
 }
 
-TEST_F(BeliefCommand, AContradictoryDescriptionIsAnErrorWithItsPlace) {
-    const std::string wrong =
-        folder.write("wrong.pddl",
-                     "(define (problem three) (:domain boxes) (:objects b1 b2 - box)\n"
-                     "  (:init (in b1) (in b2)\n    (oneof (in b1) (in b2)))\n  (:goal (have)))");
-    const Outcome outcome = plan({"belief", domain, wrong});
-    EXPECT_EQ(outcome.exit_code, 31);
-    EXPECT_TRUE(contains(outcome.err, "wrong.pddl:3:5")) << outcome.err;
-}
+/// What a problem says first that cannot be, and what is told of it.
+struct WrongDescription {
+    const char* name;
+    const char* init;
+    const char* told;
+};
 
-TEST_F(BeliefCommand, ADescriptionThatNoStateSatisfiesIsAnError) {
-    // Each clause can be satisfied, all together cannot.
-    const std::string wrong =
-        folder.write("wrong.pddl",
-                     "(define (problem three) (:domain boxes) (:objects b1 b2 - box)\n"
-                     "  (:init (or (in b1) (in b2)) (or (in b1) (not (in b2)))\n"
-                     "    (or (not (in b1)) (in b2)) (or (not (in b1)) (not (in b2))))\n  (:goal (have)))");
+class DescriptionOfNoState : public BeliefCommand, public testing::WithParamInterface<WrongDescription> {};
+
+TEST_P(DescriptionOfNoState, IsAnError) {
+    const std::string wrong = folder.write(
+        "wrong.pddl", "(define (problem three) (:domain boxes) (:objects b1 b2 - box)\n  (:init " +
+                          std::string(GetParam().init) + ")\n  (:goal (have)))");
     const Outcome outcome = plan({"belief", domain, wrong});
     EXPECT_EQ(outcome.exit_code, 31) << outcome.out << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "no first state")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, GetParam().told)) << outcome.err;
 }
+
+INSTANTIATE_TEST_SUITE_P(BeliefCommand, DescriptionOfNoState,
+                         testing::Values(WrongDescription{"Contradiction",
+                                                          "(in b1) (in b2)\n    (oneof (in b1) (in b2))",
+                                                          "wrong.pddl:3:5"},
+                                         // Each clause can be satisfied, all together cannot.
+                                         WrongDescription{"Clauses",
+                                                          "(or (in b1) (in b2)) (or (in b1) (not (in b2)))\n"
+                                                          "    (or (not (in b1)) (in b2)) "
+                                                          "(or (not (in b1)) (not (in b2)))",
+                                                          "no first state"}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(BeliefCommand, OtherCommandsPointHere) {
     const Outcome outcome = plan({domain, problem});

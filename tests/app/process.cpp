@@ -11,6 +11,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace praxis::test {
@@ -75,6 +76,8 @@ Outcome plan(const std::vector<std::string>& arguments, const Circumstances& cir
 
     Outcome outcome;
     std::size_t next_signal = 0;
+    std::optional<double> ready;
+    if (!circumstances.ready) ready = 0;
     bool late = false;
     while (out.ends[0] >= 0 || err.ends[0] >= 0) {
         if (written == circumstances.input.size()) in.close(1);
@@ -88,7 +91,8 @@ Outcome plan(const std::vector<std::string>& arguments, const Circumstances& cir
             written = size < 0 ? circumstances.input.size() : written + static_cast<std::size_t>(size);
         }
         const auto& signals = circumstances.signals;
-        if (next_signal < signals.size() && elapsed() >= signals[next_signal].first)
+        if (!ready && next_signal < signals.size() && circumstances.ready()) ready = elapsed();
+        if (ready && next_signal < signals.size() && elapsed() - *ready >= signals[next_signal].first)
             ::kill(child, signals[next_signal++].second);
         if (elapsed() > 60 && !late) {
             ADD_FAILURE() << "the command does not end";

@@ -18,6 +18,7 @@ struct Outcome {
 struct Circumstances {
     std::string input = {};                            ///< standard input
     std::vector<std::pair<double, int>> signals = {};  ///< after so many seconds, this signal
+    std::function<bool()> ready = {};                  ///< the seconds count from when this is true
     std::function<void()> prepare = {};                ///< called in the child before the command starts
     bool close_output = false;                         ///< nobody reads standard output
 };

@@ -132,9 +132,20 @@ TEST(Chart, RefusesWhatCannotBeDrawn) {
 TEST(Chart, LearningCurvesHaveBandsFromTwoSeedsOn) {
     const std::vector<CurveSummary> one = {{"row", "ees", {{0, {0.5, 0, 1, 1}}, {9, {0.6, 0, 1, 1}}}}};
     const std::vector<CurveSummary> two = {{"row", "ees", {{0, {0.5, 0, 1, 2}}, {9, {0.6, 0, 1, 2}}}}};
-    EXPECT_EQ(count(learning_chart(one, {}), "<polygon"), 0u);
-    EXPECT_EQ(count(learning_chart(two, {}), "<polygon"), 1u);
-    EXPECT_EQ(learning_chart(two, {}), learning_chart(two, {}));
+    EXPECT_EQ(count(learning_chart("row", one, 0.8), "<polygon"), 0u);
+    EXPECT_EQ(count(learning_chart("row", two, 0.8), "<polygon"), 1u);
+    EXPECT_EQ(learning_chart("row", two, 0.8), learning_chart("row", two, 0.8));
+}
+
+TEST(Chart, LearningCurvesAreThoseOfTheEnvironment) {
+    const std::vector<CurveSummary> all = {{"row", "ees", {{0, {0.5, 0.5, 0.5, 1}}}},
+                                           {"ring", "ees", {{0, {0.5, 0.5, 0.5, 1}}}},
+                                           {"ring", "fail-focus", {{0, {0.6, 0.6, 0.6, 1}}}}};
+    EXPECT_EQ(count(learning_chart("row", all, 0.8), "fail-focus"), 0u);
+    const std::string ring = learning_chart("ring", all, 0.8);
+    EXPECT_EQ(count(ring, "ees"), count(ring, "fail-focus"));
+    EXPECT_GT(count(ring, "fail-focus"), 0u);
+    EXPECT_NE(ring.find(">ring<"), std::string::npos) << ring;
 }
 
 }  // namespace

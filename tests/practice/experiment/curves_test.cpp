@@ -56,7 +56,7 @@ TEST(Curves, MeansByHand) {
     const std::vector<double> means = {0.1, 0.35, 0.45, 0.7, 0.8};  // at 0, 100, 150, 200, 260
     ASSERT_EQ(summaries[0].points.size(), means.size());
     for (std::size_t i = 0; i < means.size(); ++i) {
-        const Estimate& solved = summaries[0].points[i].solved;
+        const IntervalEstimate& solved = summaries[0].points[i].solved;
         EXPECT_NEAR(solved.value, means[i], 1e-12);
         EXPECT_EQ(solved.count, 2u);
         EXPECT_GE(solved.low, 0);

@@ -98,7 +98,7 @@ TEST(ReportPage, ShowsFiguresAndChart) {
     EXPECT_EQ(xml_error(page), "");
     for (const char* part :
          {"<h1>Tonight</h1>", "4 runs", "<svg ", "95.0 % <span", "at least 300", "2 of 2", "1 of 2",
-          "transitions to 80 %", "at least 2.00 <span", "-40.0 <span", "all tasks pooled", "0 : 2"})
+          "transitions to 80 %", "at least 2.00 <span", "-40.0, 0 : 2 <span", "all tasks pooled"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_EQ(count(page, "http"), count(page, "http://www.w3.org/2000/svg"));  // nothing is loaded
 }

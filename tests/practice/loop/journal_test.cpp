@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +64,56 @@ void write_two(const std::string& path) {
     journal.append(kTask);
     journal.append(kStep);
     journal.sync();
+}
+
+TEST(Journal, IsOpenOnceAtATime) {
+    const TestFile file;
+    const auto open_again = [&] { return error_of([&] { Journal(file.path(), "the settings"); }); };
+    {
+        Journal journal(file.path(), "the settings");
+        journal.append(kTask);
+        EXPECT_EQ(open_again(), file.path() +
+                                    ": error: another run of practice is writing this journal; wait until it "
+                                    "ends, or give another name\n");
+        journal.append(kStep);
+    }
+    EXPECT_EQ(open_again(), "no error");
+    EXPECT_EQ(Journal(file.path(), "the settings").records().size(), 2u) << "nothing was lost or mixed in";
+}
+
+/// In another process: opens the journal, says so, and dies with it open when it may.
+[[noreturn]] void hold_journal(const std::string& path, int opened, int may_end) {
+    try {
+        const Journal journal(path, "the settings");
+        char byte = 0;
+        const bool told = ::write(opened, &byte, 1) == 1 && ::read(may_end, &byte, 1) == 0;
+        ::_exit(told ? 0 : 1);
+    } catch (...) {
+        ::_exit(2);
+    }
+}
+
+TEST(Journal, IsRefusedWhileAnotherProcessWritesIt) {
+    const TestFile file;
+    int opened[2] = {}, may_end[2] = {};
+    ASSERT_EQ(::pipe(opened), 0);
+    ASSERT_EQ(::pipe(may_end), 0);
+    const pid_t other = ::fork();
+    if (other == 0) {
+        ::close(may_end[1]);
+        hold_journal(file.path(), opened[1], may_end[0]);
+    }
+    ::close(opened[1]);
+    char byte = 0;
+    EXPECT_EQ(::read(opened[0], &byte, 1), 1);
+    EXPECT_NE(error_of([&] { Journal(file.path(), "the settings"); }).find("another run"), std::string::npos);
+    ::close(may_end[1]);
+    int status = -1;
+    EXPECT_EQ(::waitpid(other, &status, 0), other);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(error_of([&] { Journal(file.path(), "the settings"); }), "no error");
+    ::close(opened[0]);
+    ::close(may_end[0]);
 }
 
 RC_GTEST_PROP(Journal, reads_what_was_written_bit_by_bit, ()) {

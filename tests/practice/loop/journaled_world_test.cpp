@@ -39,22 +39,24 @@ TEST(JournaledWorld, AnswersFromTheJournalThenActs) {
         world.execute(kSkill, std::vector{3.0});
         EXPECT_EQ(world.observe(), State{5});
     }
-    RealWorld real;
-    real.state = {40};  // somebody has been there
-    Journal journal(file.path(), "");
-    JournaledWorld world(real, journal);
-    EXPECT_TRUE(world.replaying());
-    EXPECT_EQ(world.next_task(), (std::vector<GroundAtom>{{1, {}}}));
-    EXPECT_EQ(world.observe(), State{0});
-    world.execute(kSkill, std::vector{2.0});
-    EXPECT_EQ(world.observe(), State{2});
-    world.execute(kSkill, std::vector{3.0});
-    EXPECT_FALSE(world.replaying());
-    EXPECT_EQ(world.observe(), State{5});
-    EXPECT_EQ(real.skills + real.tasks, 0);
-    world.execute(kSkill, std::vector{1.0});
-    EXPECT_EQ(world.observe(), State{41});
-    EXPECT_EQ(world.next_task(), (std::vector<GroundAtom>{{1, {}}}));
+    {
+        RealWorld real;
+        real.state = {40};  // somebody has been there
+        Journal journal(file.path(), "");
+        JournaledWorld world(real, journal);
+        EXPECT_TRUE(world.replaying());
+        EXPECT_EQ(world.next_task(), (std::vector<GroundAtom>{{1, {}}}));
+        EXPECT_EQ(world.observe(), State{0});
+        world.execute(kSkill, std::vector{2.0});
+        EXPECT_EQ(world.observe(), State{2});
+        world.execute(kSkill, std::vector{3.0});
+        EXPECT_FALSE(world.replaying());
+        EXPECT_EQ(world.observe(), State{5});
+        EXPECT_EQ(real.skills + real.tasks, 0);
+        world.execute(kSkill, std::vector{1.0});
+        EXPECT_EQ(world.observe(), State{41});
+        EXPECT_EQ(world.next_task(), (std::vector<GroundAtom>{{1, {}}}));
+    }
     EXPECT_EQ(Journal(file.path(), "").records().size(), 5u);
 }
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 
+#include "practice/methods/scored_method.hpp"
 #include "tests/practice/methods/method_driver.hpp"
 
 namespace praxis::practice {
@@ -17,7 +17,6 @@ namespace {
 using test::by_hand;
 using test::MethodDriver;
 
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 const char* const kMove = "(move t0 p0 p1)";
 const char* const kMark = "(mark t0 p1)";
 

@@ -185,6 +185,61 @@ TEST(CostPlanner, PrefersTheShorterOfEquallyLikelyPlans) {
     EXPECT_EQ(planner.plan(task_of(environment, skills), costs)->skills.size(), 2u);
 }
 
+/// Goals of tokens on certain places: token t0 on each place, with t1 on each, and so on.
+std::vector<Situation> many_goals(const SkillTask& skills, Situation situation, int tokens, int places) {
+    std::vector<Situation> result;
+    std::vector<int> chosen(static_cast<std::size_t>(tokens), 0);
+    for (bool more = true; more;) {
+        std::vector<GroundAtom> atoms;
+        for (int t = 0; t < tokens; ++t)
+            atoms.push_back({0, {t, tokens + chosen[static_cast<std::size_t>(t)]}});
+        situation.goal = skills.goal(atoms);
+        result.push_back(situation);
+        const auto next = std::ranges::find_if(chosen, [&](int place) { return place + 1 < places; });
+        more = next != chosen.end();
+        if (more) ++*next;
+        std::fill(chosen.begin(), next, 0);
+    }
+    return result;
+}
+
+TEST(CostPlanner, ForgetsTheGoalsThatWereNotAskedAboutForLongest) {
+    const Tokens environment(2, 17, [] {
+        Tokens::Edges ring;
+        for (int place = 0; place < 17; ++place) ring.emplace_back(place, (place + 1) % 17);
+        return ring;
+    }());
+    const SkillTask skills(environment);
+    CostPlanner planner(skills);
+    const std::vector<Cost> costs(skills.size(), success_cost(0.5));
+    const Situation marked = task_of(environment, skills);  // other variables matter
+    const std::size_t marked_states = [&] {
+        planner.plan(marked, costs);
+        return planner.states();
+    }();
+    const std::vector<Situation> goals = many_goals(skills, marked, 2, 17);
+    ASSERT_GT(goals.size(), CostPlanner::kMostGoals);
+    std::vector<Cost> first;
+    for (const Situation& situation : goals) {
+        first.push_back(planner.plan(situation, costs)->cost);
+        EXPECT_LE(planner.goals(), CostPlanner::kMostGoals + 1);
+    }
+    planner.plan(goals.back(), costs);
+    EXPECT_EQ(planner.goals(), CostPlanner::kMostGoals);
+    EXPECT_EQ(planner.states(), 17u * 17) << "those of the first goal are of no use any more";
+    EXPECT_GT(marked_states, planner.states());
+    for (std::size_t i = 0; i < goals.size(); ++i)
+        EXPECT_EQ(planner.plan(goals[i], costs)->cost, first[i]) << "forgotten or not";
+    EXPECT_EQ(planner.plan(marked, costs)->cost, CostPlanner(skills).plan(marked, costs)->cost);
+
+    const std::vector<Improvement> improvements = {{0, success_cost(0.9)}};
+    const double all = planner.expected_costs(goals, costs, improvements)[0];
+    EXPECT_EQ(planner.goals(), 1 + goals.size()) << "one question may be about more";
+    EXPECT_EQ(planner.expected_costs(goals, costs, improvements)[0], all);
+    planner.plan(marked, costs);
+    EXPECT_LE(planner.goals(), CostPlanner::kMostGoals + 1);
+}
+
 TEST(CostPlanner, RefusesWrongUse) {
     const Tokens environment(1, 2, {{0, 1}});
     const SkillTask skills(environment);

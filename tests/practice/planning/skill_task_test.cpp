@@ -56,6 +56,28 @@ TEST(SkillTask, RefusesAGoalThatNoSkillCanReach) {
     EXPECT_THROW(skills.goal(goal), std::invalid_argument);
 }
 
+TEST(SkillTask, SaysWhichNumberOfAGoalIsWrong) {
+    const Tokens environment(1, 2, {{0, 1}});
+    const SkillTask skills(environment);
+    const auto refusal = [&](const GroundAtom& atom) -> std::string {
+        try {
+            skills.goal(std::vector<GroundAtom>{atom});
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_EQ(refusal({1, {0}}), "none");
+    EXPECT_EQ(refusal({2, {0}}),
+              "a goal has an atom of predicate 2; the environment's description has 2 predicates, numbered "
+              "from 0");
+    EXPECT_NE(refusal({-1, {0}}).find("predicate -1;"), std::string::npos);
+    EXPECT_NE(refusal({1, {3}}).find("object 3; the environment's description has 3 objects"),
+              std::string::npos);
+    EXPECT_NE(refusal({1, {-7}}).find("object -7;"), std::string::npos);
+    EXPECT_NE(refusal({1, {0, 1}}), "none") << "an argument too many";
+}
+
 TEST(SkillTask, RefusesADescriptionThatDoesNotFitTheDomain) {
     Changed no_skill, no_object, no_predicate, twice, broken;
     no_skill.changed_.schemas.pop_back();

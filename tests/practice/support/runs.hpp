@@ -11,7 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "practice/loop/journal.hpp"
 #include "practice/loop/practice_loop.hpp"
+#include "practice/loop/run_practice.hpp"
+#include "practice/loop/settings_text.hpp"
 #include "practice/loop/simulated_world.hpp"
 
 namespace praxis::practice::test {

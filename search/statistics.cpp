@@ -1,4 +1,4 @@
-#include "practice/experiment/statistics.hpp"
+#include "search/statistics.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace praxis::practice {
+namespace praxis {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ double student_quantile(double probability, double degrees) {
     return boost::math::quantile(boost::math::students_t(degrees), probability);
 }
 
-Estimate mean_estimate(std::span<const double> values, double confidence) {
+IntervalEstimate mean_estimate(std::span<const double> values, double confidence) {
     require_confidence(confidence);
     const auto [mean, standard_error] = moments(values);
     if (values.size() == 1) return {mean, -kInfinity, kInfinity, 1};
@@ -56,7 +56,14 @@ Estimate mean_estimate(std::span<const double> values, double confidence) {
     return {mean, mean - reach, mean + reach, values.size()};
 }
 
-Estimate proportion_estimate(std::int64_t successes, std::int64_t trials, double confidence) {
+IntervalEstimate fraction_estimate(std::span<const double> fractions, double confidence) {
+    IntervalEstimate result = mean_estimate(fractions, confidence);
+    result.low = std::max(0.0, result.low);
+    result.high = std::min(1.0, result.high);
+    return result;
+}
+
+IntervalEstimate proportion_estimate(std::int64_t successes, std::int64_t trials, double confidence) {
     require_confidence(confidence);
     if (trials <= 0 || successes < 0 || successes > trials)
         throw std::invalid_argument("a proportion needs trials, and no more successes than trials");
@@ -90,4 +97,4 @@ PairedComparison compare_paired(std::span<const double> a, std::span<const doubl
     return result;
 }
 
-}  // namespace praxis::practice
+}  // namespace praxis

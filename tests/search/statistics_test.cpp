@@ -1,24 +1,32 @@
-#include "practice/experiment/statistics.hpp"
+#include "search/statistics.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
-#include "practice/environment.hpp"
+#include "search/engines/random.hpp"
 
-namespace praxis::practice {
+namespace praxis {
 namespace {
+
+/// In [0, 1).
+double uniform(Random& random) {
+    return static_cast<double>(random.next() >> 11) * 0x1.0p-53;
+}
 
 double normal(Random& random) {
     const double radius = std::sqrt(-2 * std::log(1 - uniform(random)));
     return radius * std::cos(2 * std::numbers::pi * uniform(random));
 }
 
-bool covers(const Estimate& estimate, double truth) {
+bool covers(const IntervalEstimate& estimate, double truth) {
     return estimate.low <= truth && truth <= estimate.high;
 }
 
@@ -37,7 +45,7 @@ TEST(Statistics, QuantilesAreThoseOfTheTables) {
 
 TEST(Statistics, MeanByHand) {
     const std::vector<double> values = {1, 2, 3, 4, 5};  // deviation sqrt(2.5), error sqrt(0.5), t = 2.77645
-    const Estimate estimate = mean_estimate(values);
+    const IntervalEstimate estimate = mean_estimate(values);
     EXPECT_DOUBLE_EQ(estimate.value, 3);
     EXPECT_NEAR(estimate.high - 3, 2.776445 * std::sqrt(0.5), 1e-6);
     EXPECT_NEAR(3 - estimate.low, 2.776445 * std::sqrt(0.5), 1e-6);
@@ -46,12 +54,12 @@ TEST(Statistics, MeanByHand) {
 }
 
 TEST(Statistics, EqualValuesHaveNoSpread) {
-    const Estimate estimate = mean_estimate(std::vector<double>(30, 0.1));
-    EXPECT_EQ(estimate, (Estimate{0.1, 0.1, 0.1, 30}));
+    const IntervalEstimate estimate = mean_estimate(std::vector<double>(30, 0.1));
+    EXPECT_EQ(estimate, (IntervalEstimate{0.1, 0.1, 0.1, 30}));
 }
 
 TEST(Statistics, OneValueSaysNothingAboutTheSpread) {
-    const Estimate estimate = mean_estimate(std::vector<double>{0.7});
+    const IntervalEstimate estimate = mean_estimate(std::vector<double>{0.7});
     EXPECT_EQ(estimate.value, 0.7);
     EXPECT_EQ(estimate.low, -std::numeric_limits<double>::infinity());
     EXPECT_EQ(estimate.high, std::numeric_limits<double>::infinity());
@@ -84,15 +92,35 @@ TEST(Statistics, MeansAreCoveredAsOftenAsTheConfidenceSays) {
 
 TEST(Statistics, WilsonByHand) {
     // n = 10, p = 0.8, z = 1.959964: middle 0.716740, reach 0.226578.
-    const Estimate some = proportion_estimate(8, 10);
+    const IntervalEstimate some = proportion_estimate(8, 10);
     EXPECT_NEAR(some.low, 0.490162, 1e-6);
     EXPECT_NEAR(some.high, 0.943318, 1e-6);
-    const Estimate all = proportion_estimate(100, 100);
+    const IntervalEstimate all = proportion_estimate(100, 100);
     EXPECT_EQ(all.high, 1);
     EXPECT_NEAR(all.low, 0.963007, 1e-6);  // n / (n + z^2)
-    const Estimate none = proportion_estimate(0, 100);
+    const IntervalEstimate none = proportion_estimate(0, 100);
     EXPECT_EQ(none.low, 0);
     EXPECT_NEAR(none.high, 1 - all.low, 1e-12);
+}
+
+RC_GTEST_PROP(StatisticsProperty, WilsonsIntervalSolvesItsEquation, ()) {
+    const auto trials = *rc::gen::inRange<std::int64_t>(1, 2000);
+    const auto successes = *rc::gen::inRange<std::int64_t>(0, trials + 1);
+    const IntervalEstimate estimate = proportion_estimate(successes, trials);
+    RC_ASSERT(0 <= estimate.low && estimate.low <= estimate.value && estimate.value <= estimate.high);
+    RC_ASSERT(estimate.high <= 1);
+    // |p - q| = z sqrt(q (1 - q) / n) at both ends q
+    for (const double q : {estimate.low, estimate.high}) {
+        const double deviation = 1.959964 * std::sqrt(q * (1 - q) / static_cast<double>(trials));
+        if (q > 0 && q < 1) RC_ASSERT(std::abs(std::abs(estimate.value - q) - deviation) < 1e-6);
+    }
+}
+
+TEST(Statistics, FractionsStayWithinBounds) {
+    EXPECT_EQ(fraction_estimate(std::vector<double>{0.9}), (IntervalEstimate{0.9, 0, 1, 1}));
+    const IntervalEstimate few = fraction_estimate(std::vector<double>{0.8, 1});
+    EXPECT_EQ(few.high, 1);
+    EXPECT_EQ(few.low, std::max(0.0, mean_estimate(std::vector<double>{0.8, 1}).low));
 }
 
 TEST(Statistics, ProportionsAreCovered) {
@@ -139,8 +167,8 @@ TEST(Statistics, PairsThatNeverDiffer) {
     const std::vector<double> a = {1, 1, 1}, b = {0, 0, 0};
     EXPECT_EQ(compare_paired(a, a).probability, 1);
     EXPECT_EQ(compare_paired(a, b).probability, 0);
-    EXPECT_EQ(compare_paired(a, b).difference, (Estimate{1, 1, 1, 3}));
+    EXPECT_EQ(compare_paired(a, b).difference, (IntervalEstimate{1, 1, 1, 3}));
 }
 
 }  // namespace
-}  // namespace praxis::practice
+}  // namespace praxis

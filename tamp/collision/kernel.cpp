@@ -1,0 +1,24 @@
+#include "tamp/collision/kernel.hpp"
+
+namespace praxis::tamp::kernel {
+
+#ifdef PRAXIS_AVX2
+const Functions& avx2_functions();
+
+const Functions& functions() {
+    static const bool fast = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return fast ? avx2_functions() : portable_functions();
+}
+#else
+const Functions& functions() {
+    return portable_functions();
+}
+#endif
+
+int scratch_size(const Model& model) {
+    int balls = model.part_count;
+    for (int p = 0; p < model.part_count; ++p) balls += model.parts[p].ball_count;
+    return (12 * model.frame_count + 3 * balls) * kLanes;
+}
+
+}  // namespace praxis::tamp::kernel

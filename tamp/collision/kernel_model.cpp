@@ -1,0 +1,452 @@
+#include "tamp/collision/kernel_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "tamp/collision/signed_distance.hpp"
+#include "tamp/geometry/cover.hpp"
+
+namespace praxis::tamp {
+
+namespace {
+
+/// Prismatic variables without limits are taken to stay within this of 0 (metres).
+constexpr double kTravel = 100;
+/// Obstacles are dropped if they are farther than this out of reach (metres); more than any margin.
+constexpr double kReachPadding = 0.01;
+
+/// A rigid set of balls before it is flattened.
+struct Piece {
+    Participant who = {};
+    int carrier = 0;  ///< the link itself, or the one that a body is attached to
+    int frame = -1;
+    std::vector<Ball> balls = {};  ///< in the frame
+    Ball bound = {};
+    const std::vector<int>* touching = nullptr;
+};
+
+/// Something that stands still.
+struct Standing {
+    Participant who = {};
+    Pose pose = Pose::Identity();
+    const Shape* shape = nullptr;
+};
+
+struct PlacedLink {
+    int frame = -1;
+    Pose pose = Pose::Identity();  ///< in the frame
+};
+
+bool all_spheres(const std::vector<PlacedShape>& shapes) {
+    return std::ranges::all_of(shapes,
+                               [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
+}
+
+double depth(const std::vector<PlacedShape>& shapes, const Vector3& point) {
+    double deepest = 0;
+    for (const PlacedShape& placed : shapes) {
+        deepest = std::max(deepest, -signed_distance(placed.shape, placed.pose.inverse() * point));
+    }
+    return deepest;
+}
+
+Eigen::Matrix3d turn_z_to(const Vector3& axis) {
+    return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis).toRotationMatrix();
+}
+
+void copy_rows(const Eigen::Matrix3d& rows, float* to) {
+    for (int i = 0; i < 9; ++i) to[i] = static_cast<float>(rows(i / 3, i % 3));
+}
+
+void copy(const Vector3& vector, float* to) {
+    for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(vector[i]);
+}
+
+kernel::Ball flat(const Ball& ball, double radius) {
+    kernel::Ball result = {};
+    copy(ball.center, result.center);
+    result.radius = static_cast<float>(radius);
+    return result;
+}
+
+struct FlatObstacle {
+    kernel::ObstacleKind kind = kernel::sphere;
+    kernel::Obstacle obstacle = {};
+};
+
+/// The primitive as the kernel sees it; none for meshes and maps.
+struct Flatten {
+    bool upright = false;
+
+    std::optional<FlatObstacle> operator()(const Sphere& s) const {
+        return make(kernel::sphere, {s.radius, 0, 0});
+    }
+    std::optional<FlatObstacle> operator()(const Box& b) const {
+        return make(upright ? kernel::upright_box : kernel::box, b.size / 2);
+    }
+    std::optional<FlatObstacle> operator()(const Cylinder& c) const {
+        return make(upright ? kernel::upright_cylinder : kernel::cylinder, {c.radius, c.length / 2, 0});
+    }
+    std::optional<FlatObstacle> operator()(const Capsule& c) const {
+        return make(kernel::capsule, {c.radius, c.length / 2, 0});
+    }
+    std::optional<FlatObstacle> operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
+    std::optional<FlatObstacle> operator()(const std::shared_ptr<const OccupancyMap>&) const {
+        return std::nullopt;
+    }
+
+    static FlatObstacle make(kernel::ObstacleKind kind, const Vector3& size) {
+        FlatObstacle result = {.kind = kind};
+        copy(size, result.obstacle.size);
+        return result;
+    }
+};
+
+FlatObstacle flatten_at(const Shape& shape, const Pose& pose) {
+    const bool upright =
+        std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
+    FlatObstacle result = *std::visit(Flatten{upright}, shape);
+    copy(pose.translation(), result.obstacle.center);
+    copy_rows(pose.linear().transpose(), result.obstacle.axes);
+    return result;
+}
+
+}  // namespace
+
+class KernelModelBuilder {
+  public:
+    KernelModelBuilder(const CollisionProblem& problem, BallSide side, PairChange change, KernelModel& model)
+        : robot_(*problem.robot),
+          world_(*problem.world),
+          group_(robot_.groups[static_cast<std::size_t>(problem.group)]),
+          rest_(problem.rest),
+          side_(side),
+          change_(change),
+          model_(model) {}
+
+    void build() {
+        model_.variable_count_ = static_cast<int>(group_.variables.size());
+        place_links();
+        collect_pieces();
+        if (pieces_.size() > kernel::kMaxParts) {
+            throw std::invalid_argument(
+                "the fast checker takes at most 256 moving links and attached bodies");
+        }
+        collect_standing();
+        model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * extent();
+        flatten_pieces();
+        flatten_levers();
+        pair_pieces();
+    }
+
+  private:
+    int place_of(int variable) const {
+        const auto found = std::ranges::find(group_.variables, variable);
+        return found == group_.variables.end() ? -1 : static_cast<int>(found - group_.variables.begin());
+    }
+
+    double rest_position(const Joint& joint) const {
+        return joint.multiplier * rest_[static_cast<std::size_t>(joint.variable)] + joint.offset;
+    }
+
+    void place_links() {
+        links_.resize(robot_.links.size());
+        links_[0].pose = robot_.base;
+        for (const Joint& joint : robot_.joints) {
+            const PlacedLink& parent = links_[static_cast<std::size_t>(joint.parent)];
+            PlacedLink& child = links_[static_cast<std::size_t>(joint.child)];
+            child = {parent.frame, parent.pose * joint.origin};
+            if (joint.variable < 0) continue;
+            const Eigen::Matrix3d turn = turn_z_to(joint.axis);
+            const int variable = place_of(joint.variable);
+            if (variable >= 0) {
+                add_frame(joint, child, turn, variable);
+                child = {static_cast<int>(model_.frames_.size()) - 1, Pose(turn.transpose())};
+            } else if (joint.type == JointType::prismatic) {
+                child.pose.translate(rest_position(joint) * joint.axis);
+            } else {
+                child.pose.rotate(Eigen::AngleAxisd(rest_position(joint), joint.axis));
+            }
+        }
+    }
+
+    void add_frame(const Joint& joint, const PlacedLink& at, const Eigen::Matrix3d& turn, int variable) {
+        kernel::Frame frame = {};
+        frame.parent = at.frame;
+        frame.variable = variable;
+        frame.prismatic = joint.type == JointType::prismatic ? 1 : 0;
+        frame.multiplier = static_cast<float>(joint.multiplier);
+        frame.offset = static_cast<float>(joint.offset);
+        copy_rows(at.pose.linear() * turn, frame.rotation);
+        copy(at.pose.translation(), frame.translation);
+        model_.frames_.push_back(frame);
+        joints_.push_back(&joint);
+        translations_.push_back(at.pose.translation());
+    }
+
+    void add_piece(Participant who, int carrier, const Pose& in_link, const std::vector<PlacedShape>& shapes,
+                   const std::vector<Ball>& balls, const std::vector<int>* touching,
+                   const std::string& name) {
+        if (shapes.empty() && balls.empty()) return;
+        const PlacedLink& link = links_[static_cast<std::size_t>(carrier)];
+        const Pose pose = link.pose * in_link;
+        Piece piece = {.who = who, .carrier = carrier, .frame = link.frame, .touching = touching};
+        if (all_spheres(shapes) && !shapes.empty()) {
+            for (const PlacedShape& s : shapes) {
+                piece.balls.push_back({pose * s.pose.translation(), std::get<Sphere>(s.shape).radius});
+            }
+        } else {
+            if (balls.empty())
+                throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
+            model_.exact_ = false;
+            for (const Ball& ball : balls) {
+                const double radius = side_ == BallSide::outer ? ball.radius : depth(shapes, ball.center);
+                if (radius > 0) piece.balls.push_back({pose * ball.center, radius});
+            }
+        }
+        if (piece.balls.empty()) return;
+        piece.bound = bounding_ball(piece.balls);
+        pieces_.push_back(std::move(piece));
+    }
+
+    bool wanted(int link) const {
+        return change_ == PairChange::fixed || links_[static_cast<std::size_t>(link)].frame >= 0;
+    }
+
+    /// The far end of the robot first: it collides most often.
+    void collect_pieces() {
+        for (int b = static_cast<int>(world_.size()) - 1; b >= 0; --b) {
+            const BodyState& body = world_[b];
+            if (!body.attachment || !wanted(body.attachment->link)) continue;
+            add_piece({Participant::Kind::body, b}, body.attachment->link, body.attachment->in_link,
+                      body.model->shapes, body.model->balls, &body.attachment->touching, body.model->name);
+        }
+        for (int l = static_cast<int>(robot_.links.size()) - 1; l >= 0; --l) {
+            const Link& link = robot_.links[static_cast<std::size_t>(l)];
+            if (!wanted(l)) continue;
+            add_piece({Participant::Kind::link, l}, l, Pose::Identity(), link.collision, link.balls, nullptr,
+                      link.name);
+        }
+    }
+
+    void add_standing(Participant who, const Pose& pose, const std::vector<PlacedShape>& shapes) {
+        for (const PlacedShape& placed : shapes)
+            standing_.push_back({who, pose * placed.pose, &placed.shape});
+    }
+
+    void collect_standing() {
+        for (int b = 0; b < static_cast<int>(world_.size()); ++b) {
+            const BodyState& body = world_[b];
+            const Participant who = {Participant::Kind::body, b};
+            if (!body.attachment) {
+                add_standing(who, body.pose, body.model->shapes);
+            } else if (const PlacedLink& link = links_[static_cast<std::size_t>(body.attachment->link)];
+                       link.frame < 0 && change_ == PairChange::moving) {
+                add_standing(who, link.pose * body.attachment->in_link, body.model->shapes);
+            }
+        }
+        if (change_ == PairChange::fixed) return;
+        for (int l = 0; l < static_cast<int>(robot_.links.size()); ++l) {
+            const PlacedLink& link = links_[static_cast<std::size_t>(l)];
+            if (link.frame >= 0) continue;
+            add_standing({Participant::Kind::link, l}, link.pose,
+                         robot_.links[static_cast<std::size_t>(l)].collision);
+        }
+    }
+
+    /// How far the origin of a frame slides at most.
+    double travel(std::size_t frame) const {
+        const Joint& joint = *joints_[frame];
+        if (joint.type != JointType::prismatic) return 0;
+        const Variable& variable = robot_.variables[static_cast<std::size_t>(joint.variable)];
+        const double lower = std::isfinite(variable.lower) ? std::abs(variable.lower) : kTravel;
+        const double upper = std::isfinite(variable.upper) ? std::abs(variable.upper) : kTravel;
+        return std::abs(joint.multiplier) * std::max(lower, upper) + std::abs(joint.offset);
+    }
+
+    /// The fixed point that the chain of a piece hangs on, and how far from it its balls' centres come.
+    Ball reach(const Piece& piece) const {
+        double radius = 0;
+        for (const Ball& ball : piece.balls) radius = std::max(radius, ball.center.norm());
+        int frame = piece.frame;
+        while (true) {
+            const std::size_t at = static_cast<std::size_t>(frame);
+            radius += travel(at);
+            if (model_.frames_[at].parent < 0) return {translations_[at], radius};
+            radius += translations_[at].norm();
+            frame = model_.frames_[at].parent;
+        }
+    }
+
+    double extent() const {
+        double farthest = 0;
+        for (const Piece& piece : pieces_) {
+            if (piece.frame < 0) {
+                farthest = std::max(farthest, piece.bound.center.norm() + piece.bound.radius);
+            } else {
+                const Ball range = reach(piece);
+                farthest = std::max(farthest, range.center.norm() + range.radius + piece.bound.radius);
+            }
+        }
+        double center = farthest;
+        for (const Standing& standing : standing_) {
+            const bool near =
+                std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
+            if (near) center = std::max(center, standing.pose.translation().norm());
+        }
+        return farthest + center;
+    }
+
+    double sized(double radius) const {
+        return side_ == BallSide::outer ? radius + model_.margin_ : radius - model_.margin_;
+    }
+
+    void flatten_pieces() {
+        for (const Piece& piece : pieces_) {
+            kernel::Part part = {};
+            part.frame = piece.frame;
+            part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
+            part.first_ball = static_cast<int>(model_.balls_.size());
+            for (const Ball& ball : piece.balls) {
+                if (sized(ball.radius) > 0) model_.balls_.push_back(flat(ball, sized(ball.radius)));
+            }
+            part.ball_count = static_cast<int>(model_.balls_.size()) - part.first_ball;
+            collect_obstacles(piece, part);
+            model_.parts_.push_back(part);
+            add_levers(piece);
+        }
+    }
+
+    bool may_touch(const Piece& piece, const Participant& other) const {
+        if (world_.allowed(piece.who, other)) return true;
+        if (other.kind == Participant::Kind::body) {
+            if (piece.who.kind == Participant::Kind::body) return false;
+            const std::optional<Attachment>& attachment = world_[other.index].attachment;
+            return attachment && touches_carrier(*attachment, piece.who.index);
+        }
+        if (piece.who.kind == Participant::Kind::link)
+            return !robot_.may_collide(piece.who.index, other.index);
+        return touches_carrier(*world_[piece.who.index].attachment, other.index);
+    }
+
+    static bool touches_carrier(const Attachment& attachment, int link) {
+        return attachment.link == link ||
+               std::ranges::find(attachment.touching, link) != attachment.touching.end();
+    }
+
+    bool reachable(const Piece& piece, const Standing& standing) const {
+        if (piece.frame < 0) return true;
+        const Ball range = reach(piece);
+        double largest = 0;
+        for (const Ball& ball : piece.balls) largest = std::max(largest, ball.radius);
+        const double gap = signed_distance(*standing.shape, standing.pose.inverse() * range.center);
+        return !std::isfinite(gap) || gap <= range.radius + largest + kReachPadding;
+    }
+
+    void collect_obstacles(const Piece& piece, kernel::Part& part) {
+        std::array<std::vector<kernel::Obstacle>, kernel::kObstacleKinds> by_kind;
+        if (change_ == PairChange::moving || piece.frame < 0) {
+            for (const Standing& standing : standing_) {
+                if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
+                const FlatObstacle flattened = flatten_at(*standing.shape, standing.pose);
+                by_kind[flattened.kind].push_back(flattened.obstacle);
+            }
+        }
+        for (int kind = 0; kind < kernel::kObstacleKinds; ++kind) {
+            part.first_obstacle[kind] = static_cast<int>(model_.obstacles_.size());
+            const std::vector<kernel::Obstacle>& some = by_kind[static_cast<std::size_t>(kind)];
+            model_.obstacles_.insert(model_.obstacles_.end(), some.begin(), some.end());
+        }
+        part.first_obstacle[kernel::kObstacleKinds] = static_cast<int>(model_.obstacles_.size());
+    }
+
+    /// A turn about an axis moves a point by its distance from the axis: at most the distance, across the
+    /// axis, of the next frame's origin, and then along the chain.
+    void add_levers(const Piece& piece) {
+        std::vector<double> levers(group_.variables.size(), 0.0);
+        double beyond = 0;
+        double across = 0;
+        for (const Ball& ball : piece.balls) {
+            beyond = std::max(beyond, ball.center.norm());
+            across = std::max(across, ball.center.head<2>().norm());
+        }
+        for (int frame = piece.frame; frame >= 0;) {
+            const std::size_t at = static_cast<std::size_t>(frame);
+            const kernel::Frame& flat_frame = model_.frames_[at];
+            const double multiplier = std::abs(joints_[at]->multiplier);
+            levers[static_cast<std::size_t>(flat_frame.variable)] +=
+                multiplier * (flat_frame.prismatic != 0 ? 1 : across);
+            const double slide = travel(at);
+            across = translations_[at].head<2>().norm() + slide + beyond;
+            beyond = translations_[at].norm() + slide + beyond;
+            frame = flat_frame.parent;
+        }
+        levers_.push_back(std::move(levers));
+    }
+
+    void flatten_levers() {
+        constexpr double kRoundUp = 1 + 1e-5;  // for the sums on floats, too
+        const std::size_t blocks =
+            static_cast<std::size_t>(kernel::lever_stride(static_cast<int>(levers_.size()))) / kernel::kLanes;
+        model_.levers_.resize(blocks * group_.variables.size());
+        for (std::size_t v = 0; v < group_.variables.size(); ++v) {
+            for (std::size_t p = 0; p < levers_.size(); ++p) {
+                model_.levers_[v * blocks + p / kernel::kLanes].lever[p % kernel::kLanes] =
+                    static_cast<float>(levers_[p][v] * kRoundUp);
+            }
+        }
+    }
+
+    void pair_pieces() {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
+                const bool fixed = pieces_[i].frame == pieces_[j].frame;
+                if (fixed != (change_ == PairChange::fixed) || may_touch(pieces_[i], pieces_[j].who))
+                    continue;
+                model_.pairs_.push_back({static_cast<int>(i), static_cast<int>(j)});
+            }
+        }
+    }
+
+    const Robot& robot_;
+    const World& world_;
+    const Group& group_;
+    const Configuration& rest_;
+    BallSide side_;
+    PairChange change_;
+    KernelModel& model_;
+    std::vector<PlacedLink> links_ = {};
+    std::vector<const Joint*> joints_ = {};   ///< of every frame
+    std::vector<Vector3> translations_ = {};  ///< of every frame in its parent
+    std::vector<Piece> pieces_ = {};
+    std::vector<Standing> standing_ = {};
+    std::vector<std::vector<double>> levers_ = {};  ///< of every part, by variable
+};
+
+KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change) {
+    if (problem.robot->groups[static_cast<std::size_t>(problem.group)].variables.size() >
+        kernel::kMaxVariables) {
+        throw std::invalid_argument("the fast checker takes groups of at most 16 variables");
+    }
+    KernelModelBuilder(problem, side, change, *this).build();
+}
+
+kernel::Model KernelModel::view() const {
+    return {.variable_count = variable_count_,
+            .frame_count = static_cast<int>(frames_.size()),
+            .part_count = static_cast<int>(parts_.size()),
+            .pair_count = static_cast<int>(pairs_.size()),
+            .frames = frames_.data(),
+            .parts = parts_.data(),
+            .balls = balls_.data(),
+            .obstacles = obstacles_.data(),
+            .grids = grids_.data(),
+            .pairs = pairs_.data(),
+            .levers = levers_.empty() ? nullptr : levers_.front().lever.data()};
+}
+
+}  // namespace praxis::tamp

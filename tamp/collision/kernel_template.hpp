@@ -1,0 +1,411 @@
+// The kernel's functions over a type `Lanes` of eight floats. The including file defines `Lanes` first; all
+// is local to it, so that code for different processors never mixes.
+#pragma once
+
+#include "tamp/collision/kernel.hpp"
+
+namespace praxis::tamp::kernel {
+namespace {
+
+struct Point {
+    Lanes x;
+    Lanes y;
+    Lanes z;
+};
+
+/// The columns of a rotation, and the translation.
+struct Placement {
+    Point x;
+    Point y;
+    Point z;
+    Point position;
+};
+
+constexpr int kPlacementFloats = 12 * kLanes;
+constexpr int kBallFloats = 3 * kLanes;
+
+inline Point load(const float* from) {
+    return {Lanes::load(from), Lanes::load(from + kLanes), Lanes::load(from + 2 * kLanes)};
+}
+
+inline void store(const Point& point, float* to) {
+    point.x.store(to);
+    point.y.store(to + kLanes);
+    point.z.store(to + 2 * kLanes);
+}
+
+/// a * x + b * y + c * z
+inline Lanes combine(const Lanes& a, const Lanes& x, const Lanes& b, const Lanes& y, const Lanes& c,
+                     const Lanes& z) {
+    return multiply_add(a, x, multiply_add(b, y, c * z));
+}
+
+inline Point combine(const Placement& p, float a, float b, float c) {
+    return {combine(p.x.x, a, p.y.x, b, p.z.x, c), combine(p.x.y, a, p.y.y, b, p.z.y, c),
+            combine(p.x.z, a, p.y.z, b, p.z.z, c)};
+}
+
+inline Point operator+(const Point& a, const Point& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Point operator-(const Point& a, const Point& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Point scaled(const Point& a, const Lanes& by) {
+    return {a.x * by, a.y * by, a.z * by};
+}
+/// a * s + b * c
+inline Point turned(const Point& a, const Lanes& s, const Point& b, const Lanes& c) {
+    return {multiply_add(a.x, s, b.x * c), multiply_add(a.y, s, b.y * c), multiply_add(a.z, s, b.z * c)};
+}
+inline Lanes squared(const Point& a) {
+    return combine(a.x, a.x, a.y, a.y, a.z, a.z);
+}
+
+/// Sine and cosine: reduction to [-pi/4, pi/4] by a two-part pi/2, minimax polynomials there (error below
+/// 1e-7 for |x| < 100).
+inline void sine_cosine(const Lanes& x, Lanes& sine, Lanes& cosine) {
+    const Lanes quadrant = rounded(x * Lanes(0.63661977F));
+    const Lanes r = multiply_subtract(quadrant, -4.3711388e-8F, multiply_subtract(quadrant, 1.5707964F, x));
+    const Lanes r2 = r * r;
+    const Lanes s = multiply_add(
+        r2 * r, multiply_add(r2, multiply_add(r2, -1.9515296e-4F, 8.3321608e-3F), -1.6666655e-1F), r);
+    const Lanes c = multiply_add(
+        r2 * r2, multiply_add(r2, multiply_add(r2, 2.4433157e-5F, -1.3887316e-3F), 4.1666646e-2F),
+        multiply_subtract(r2, 0.5F, 1.0F));
+    sine = by_quadrant(quadrant, 0, s, c);
+    cosine = by_quadrant(quadrant, 1, c, s);
+}
+
+inline void store(const Placement& placement, float* to) {
+    store(placement.x, to);
+    store(placement.y, to + 3 * kLanes);
+    store(placement.z, to + 6 * kLanes);
+    store(placement.position, to + 9 * kLanes);
+}
+
+inline Placement load_placement(const float* from) {
+    return {load(from), load(from + 3 * kLanes), load(from + 6 * kLanes), load(from + 9 * kLanes)};
+}
+
+inline Point constant(float x, float y, float z) {
+    return {x, y, z};
+}
+
+/// Placements of all frames into `placements`.
+inline void place_frames(const Model& model, const float* positions, float* placements) {
+    for (int f = 0; f < model.frame_count; ++f) {
+        const Frame& frame = model.frames[f];
+        const float* r = frame.rotation;
+        const float* t = frame.translation;
+        Placement p;
+        if (frame.parent < 0) {
+            p = {constant(r[0], r[3], r[6]), constant(r[1], r[4], r[7]), constant(r[2], r[5], r[8]),
+                 constant(t[0], t[1], t[2])};
+        } else {
+            const Placement parent = load_placement(placements + frame.parent * kPlacementFloats);
+            p = {combine(parent, r[0], r[3], r[6]), combine(parent, r[1], r[4], r[7]),
+                 combine(parent, r[2], r[5], r[8]), combine(parent, t[0], t[1], t[2]) + parent.position};
+        }
+        const Lanes q =
+            multiply_add(Lanes::load(positions + frame.variable * kLanes), frame.multiplier, frame.offset);
+        if (frame.prismatic != 0) {
+            p.position = p.position + scaled(p.z, q);
+        } else {
+            Lanes s;
+            Lanes c;
+            sine_cosine(q, s, c);
+            const Point x = turned(p.y, s, p.x, c);
+            p.y = turned(p.x, Lanes(0.0F) - s, p.y, c);
+            p.x = x;
+        }
+        store(p, placements + f * kPlacementFloats);
+    }
+}
+
+inline Point local(const Obstacle& obstacle, const Point& d) {
+    const float* a = obstacle.axes;
+    return {combine(a[0], d.x, a[1], d.y, a[2], d.z), combine(a[3], d.x, a[4], d.y, a[5], d.z),
+            combine(a[6], d.x, a[7], d.y, a[8], d.z)};
+}
+
+inline Point upright(const Obstacle& obstacle, const Point& d) {
+    const float* a = obstacle.axes;
+    return {multiply_add(a[0], d.x, Lanes(a[1]) * d.y), multiply_add(a[3], d.x, Lanes(a[4]) * d.y), d.z};
+}
+
+inline Lanes beyond(const Lanes& coordinate, float half) {
+    return maximum(absolute(coordinate) - Lanes(half), 0.0F);
+}
+
+inline Lanes box_gap(const Point& p, const Obstacle& obstacle) {
+    return squared(
+        {beyond(p.x, obstacle.size[0]), beyond(p.y, obstacle.size[1]), beyond(p.z, obstacle.size[2])});
+}
+
+inline Lanes cylinder_gap(const Point& p, const Obstacle& obstacle) {
+    const Lanes across = maximum(root(multiply_add(p.x, p.x, p.y * p.y)) - Lanes(obstacle.size[0]), 0.0F);
+    const Lanes along = beyond(p.z, obstacle.size[1]);
+    return multiply_add(across, across, along * along);
+}
+
+/// Spheres and capsules are points and segments, grown by their radius.
+template <int kind>
+inline constexpr bool is_grown = kind == sphere || kind == capsule;
+
+/// Squares of the distances of eight points to an obstacle, or to its core if it is grown.
+template <int kind>
+inline Lanes squared_gap(const Obstacle& obstacle, const Point& point) {
+    const Point d = point - constant(obstacle.center[0], obstacle.center[1], obstacle.center[2]);
+    if constexpr (kind == sphere) return squared(d);
+    if constexpr (kind == upright_box) return box_gap(upright(obstacle, d), obstacle);
+    if constexpr (kind == box) return box_gap(local(obstacle, d), obstacle);
+    if constexpr (kind == upright_cylinder) return cylinder_gap(d, obstacle);
+    if constexpr (kind == cylinder) return cylinder_gap(local(obstacle, d), obstacle);
+    if constexpr (kind == capsule) {
+        const Point p = local(obstacle, d);
+        const Lanes along = beyond(p.z, obstacle.size[1]);
+        return combine(p.x, p.x, p.y, p.y, along, along);
+    }
+}
+
+/// The square of the distance to what is occupied is at least the square of that to the box plus the square
+/// of what the cell at the nearest point of the box says, for the box is convex and holds all.
+inline Lanes squared_gap(const Grid& grid, const Point& p) {
+    Lanes outside = 0.0F;
+    Lanes place = 0.0F;
+    int stride = 1;
+    for (int i = 0; i < 3; ++i) {
+        const float* a = grid.axes + 3 * i;
+        const Lanes x = combine(a[0], p.x, a[1], p.y, a[2], p.z) - Lanes(grid.corner[i]);
+        const float length = grid.edge * static_cast<float>(grid.cells[i]);
+        const Lanes inside = minimum(maximum(x, 0.0F), length);
+        const Lanes away = x - inside;
+        outside = multiply_add(away, away, outside);
+        const Lanes cell =
+            minimum(truncated(inside / Lanes(grid.edge)), static_cast<float>(grid.cells[i] - 1));
+        place = multiply_add(cell, static_cast<float>(stride), place);
+        stride *= grid.cells[i];
+    }
+    const Lanes distance = maximum(Lanes::gather(grid.distance, place) + Lanes(grid.slack), 0.0F);
+    return multiply_add(distance, distance, outside);
+}
+
+/// Which of eight gaps balls of this radius bridge.
+inline unsigned bridged(const Lanes& squared_gap, const Lanes& radius) {
+    return not_greater(squared_gap, radius * radius);
+}
+
+/// What a part may touch, as the rest of the kernel sees it: gaps to it, and what adds to the radius of a
+/// ball.
+template <int kind>
+struct Solid {
+    const Obstacle& obstacle;
+    Lanes gap(const Point& point) const { return squared_gap<kind>(obstacle, point); }
+    Lanes reach(const Lanes& radius) const {
+        if constexpr (is_grown<kind>) return radius + Lanes(obstacle.size[0]);
+        return radius;
+    }
+};
+
+struct Cells {
+    const Grid& grid;
+    Lanes gap(const Point& point) const { return squared_gap(grid, point); }
+    Lanes reach(const Lanes& radius) const { return radius; }
+};
+
+/// Eight configurations: their frames, and the balls that somebody asked for.
+class Block {
+  public:
+    Block(const Model& model, float* scratch)
+        : model_(model),
+          placements_(scratch),
+          bounds_(scratch + model.frame_count * kPlacementFloats),
+          centers_(bounds_ + model.part_count * kBallFloats) {}
+
+    void place(const float* positions) {
+        place_frames(model_, positions, placements_);
+        for (int p = 0; p < model_.part_count; ++p) {
+            store(at(model_.parts[p], model_.parts[p].bound.center), bounds_ + p * kBallFloats);
+            placed_[p] = false;
+        }
+    }
+
+    const Model& model() const { return model_; }
+    const Part& part(int p) const { return model_.parts[p]; }
+    Point bound(int p) const { return load(bounds_ + p * kBallFloats); }
+    float bound_radius(int p) const { return part(p).bound.radius; }
+    Point center(int ball) const { return load(centers_ + ball * kBallFloats); }
+    float radius(int ball) const { return model_.balls[ball].radius; }
+    int first_ball(int p) const { return part(p).first_ball; }
+    int last_ball(int p) const { return part(p).first_ball + part(p).ball_count; }
+
+    void place_balls(int p) {
+        if (placed_[p]) return;
+        placed_[p] = true;
+        for (int ball = first_ball(p); ball < last_ball(p); ++ball) {
+            store(at(part(p), model_.balls[ball].center), centers_ + ball * kBallFloats);
+        }
+    }
+
+  private:
+    Point at(const Part& part, const float* point) const {
+        if (part.frame < 0) return constant(point[0], point[1], point[2]);
+        const Placement p = load_placement(placements_ + part.frame * kPlacementFloats);
+        return combine(p, point[0], point[1], point[2]) + p.position;
+    }
+
+    const Model& model_;
+    float* placements_;
+    float* bounds_;
+    float* centers_;
+    bool placed_[kMaxParts] = {};
+};
+
+/// How a test goes on when balls touch. Radii are those of the model plus `growth` of the part.
+///
+/// Any: the first touch ends all work. Every: all lanes are wanted.
+struct Any {
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) != 0; }
+    static Lanes grown(int, float radius) { return radius; }
+};
+
+struct Every {
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
+    static Lanes grown(int, float radius) { return radius; }
+};
+
+struct EverySwept {
+    const float* speeds;
+    Lanes width;
+    unsigned hit = 0;
+    bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
+    Lanes grown(int part, float radius) const { return multiply_add(speeds[part], width, radius); }
+};
+
+/// True: the work is done.
+template <class Mode, class Other>
+inline bool part_touches(Block& block, int p, const Other& other, Mode& mode) {
+    if (bridged(other.gap(block.bound(p)), other.reach(mode.grown(p, block.bound_radius(p)))) == 0)
+        return false;
+    block.place_balls(p);
+    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
+        const Lanes radius = mode.grown(p, block.radius(ball));
+        if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
+    }
+    return false;
+}
+
+template <class Mode>
+inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
+    const int p = pair.first;
+    const int q = pair.second;
+    const Point bound = block.bound(q);
+    const Lanes bound_radius = mode.grown(q, block.bound_radius(q));
+    if (bridged(squared(block.bound(p) - bound), mode.grown(p, block.bound_radius(p)) + bound_radius) == 0) {
+        return false;
+    }
+    block.place_balls(p);
+    block.place_balls(q);
+    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
+        const Point center = block.center(ball);
+        const Lanes radius = mode.grown(p, block.radius(ball));
+        if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
+        for (int other = block.first_ball(q); other < block.last_ball(q); ++other) {
+            const Lanes reach = radius + mode.grown(q, block.radius(other));
+            if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
+        }
+    }
+    return false;
+}
+
+/// Calls `test(obstacle)` for all obstacles and grids that a part may touch, until one returns true.
+template <int kind, class Test>
+inline bool for_obstacles(const Model& model, int p, const Test& test) {
+    const Part& part = model.parts[p];
+    for (int o = part.first_obstacle[kind]; o < part.first_obstacle[kind + 1]; ++o) {
+        if (test(Solid<kind>{model.obstacles[o]})) return true;
+    }
+    if constexpr (kind + 1 < kObstacleKinds) {
+        return for_obstacles<kind + 1>(model, p, test);
+    } else {
+        for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
+            if (test(Cells{model.grids[g]})) return true;
+        }
+        return false;
+    }
+}
+
+/// All tests of a block.
+template <class Mode>
+inline unsigned examine(Block& block, Mode mode) {
+    const Model& model = block.model();
+    for (int p = 0; p < model.part_count; ++p) {
+        const bool done = for_obstacles<0>(
+            model, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
+        if (done) return mode.hit;
+    }
+    for (int i = 0; i < model.pair_count; ++i) {
+        if (parts_touch(block, model.pairs[i], mode)) return mode.hit;
+    }
+    return mode.hit;
+}
+
+/// Positions at places `t` of a segment.
+inline void interpolate(const Model& model, const float* from, const float* change, const Lanes& t,
+                        float* positions) {
+    for (int v = 0; v < model.variable_count; ++v) {
+        multiply_add(change[v], t, from[v]).store(positions + v * kLanes);
+    }
+}
+
+void speeds(const Model& model, const float* change, float* result) {
+    for (int p = 0; p < model.part_count; p += kLanes) {
+        Lanes sum = 0.0F;
+        for (int v = 0; v < model.variable_count; ++v) {
+            const Lanes lever = Lanes::load(model.levers + v * lever_stride(model.part_count) + p);
+            sum = multiply_add(lever, absolute(Lanes(change[v])), sum);
+        }
+        sum.store(result + p);
+    }
+}
+
+unsigned collisions(const Model& model, const float* positions, float* scratch) {
+    Block block(model, scratch);
+    block.place(positions);
+    return examine(block, Every());
+}
+
+unsigned swept_collisions(const Model& model, const float* from, const float* change, const float* t,
+                          const float* width, const float* part_speeds, float* scratch) {
+    alignas(32) float positions[kMaxVariables * kLanes];
+    interpolate(model, from, change, Lanes::load(t), positions);
+    Block block(model, scratch);
+    block.place(positions);
+    return examine(block, EverySwept{part_speeds, Lanes::load(width)});
+}
+
+bool motion_free(const Model& model, const float* from, const float* change, int rakes, bool with_start,
+                 float* scratch) {
+    alignas(32) float positions[kMaxVariables * kLanes];
+    alignas(32) float places[kLanes];
+    const int first = with_start ? 0 : 1;
+    const float step = 1.0F / static_cast<float>(kLanes * rakes - 1 + first);
+    Block block(model, scratch);
+    for (int i = 0, turns = rake_turns(rakes); i < turns; ++i) {
+        const int rake = rake_at(i, rakes);
+        if (rake < 0) continue;
+        for (int lane = 0; lane < kLanes; ++lane) {
+            places[lane] = static_cast<float>(lane * rakes + rake + first) * step;
+        }
+        interpolate(model, from, change, Lanes::load(places), positions);
+        block.place(positions);
+        if (examine(block, Any()) != 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+}  // namespace praxis::tamp::kernel

@@ -1,0 +1,125 @@
+#include "tamp/manipulation/manipulator_model.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tamp/collision/fast_checker.hpp"
+#include "tamp/motion/straight_line.hpp"
+
+namespace praxis::tamp {
+
+namespace {
+
+int require_group(const Robot& robot, const std::string& name) {
+    const int group = robot.find_group(name);
+    if (group < 0) throw std::invalid_argument("robot '" + robot.name + "' has no group '" + name + "'");
+    return group;
+}
+
+const EndEffector& require_effector(const Robot& robot, const std::string& name) {
+    if (robot.end_effectors.empty()) {
+        throw std::invalid_argument("robot '" + robot.name + "' has no end effector");
+    }
+    if (name.empty()) return robot.end_effectors.front();
+    const int effector = robot.find_end_effector(name);
+    if (effector < 0) {
+        throw std::invalid_argument("robot '" + robot.name + "' has no end effector '" + name + "'");
+    }
+    return robot.end_effectors[static_cast<std::size_t>(effector)];
+}
+
+/// The parent of the first joint that the group moves.
+int find_carrier(const Robot& robot, const Group& arm) {
+    for (const Joint& joint : robot.joints) {
+        if (std::ranges::find(arm.variables, joint.variable) != arm.variables.end()) return joint.parent;
+    }
+    return 0;
+}
+
+}  // namespace
+
+ManipulatorModel::ManipulatorModel(std::shared_ptr<const Robot> robot_, Configuration home_,
+                                   const std::string& effector_name, const std::string& base_group,
+                                   const ManipulatorOptions& options_)
+    : robot(std::move(robot_)),
+      effector(require_effector(*robot, effector_name)),
+      options(options_),
+      arm(require_group(*robot, effector.arm)),
+      home(std::move(home_)),
+      carrier_(find_carrier(*robot, group(arm))),
+      carrier_at_rest_(link_pose(*robot, robot->zero(), carrier_)),
+      ik_(robot, arm, effector.link, effector.tool) {
+    if (home.size() != robot->dimension()) {
+        throw std::invalid_argument("the home configuration does not fit robot '" + robot->name + "'");
+    }
+    if (effector.open && effector.closed) {
+        gripper = require_group(*robot, effector.gripper);
+        robot->insert(group(gripper), *effector.open, home);
+    }
+    if (base_group.empty()) return;
+    base = require_group(*robot, base_group);
+    if (group(base).variables.size() != 3) {
+        throw std::invalid_argument("the group '" + base_group + "' of the base must have x, y and yaw");
+    }
+}
+
+std::unique_ptr<CollisionChecker> ManipulatorModel::checker(WorldPointer world, int of_group,
+                                                            const Configuration& rest) const {
+    return make_fast_checker({robot, std::move(world), of_group, rest}, cache_);
+}
+
+Configuration ManipulatorModel::fingers(double opening) const {
+    const Configuration& closed = *effector.closed;
+    const Configuration& open = *effector.open;
+    const double share = std::clamp(opening / effector.max_opening, 0.0, 1.0);
+    Configuration positions(closed.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = closed[i] + share * (open[i] - closed[i]);
+    return positions;
+}
+
+WorldPointer ManipulatorModel::near(const World& world, int body) const {
+    World allowed = world;
+    for (const int link : effector.links) {
+        allowed = allowed.with_allowed({Participant::Kind::link, link}, {Participant::Kind::body, body});
+    }
+    return std::make_shared<const World>(std::move(allowed));
+}
+
+Attachment ManipulatorModel::hold(const Grasp& grasp) const {
+    return {.link = effector.link, .in_link = effector.tool * grasp.body_in_tool, .touching = effector.links};
+}
+
+Pose ManipulatorModel::tool(const Configuration& configuration) const {
+    return link_pose(*robot, configuration, effector.link) * effector.tool;
+}
+
+Pose ManipulatorModel::to_solver(const Configuration& configuration) const {
+    return carrier_at_rest_ * link_pose(*robot, configuration, carrier_).inverse();
+}
+
+std::optional<Configuration> ManipulatorModel::reach(const Configuration& configuration, const Pose& target,
+                                                     std::uint64_t number) const {
+    IkOptions asked;
+    if (number == 0) asked.start = robot->extract(group(arm), configuration);
+    asked.seed = options.seed + number;
+    IkResult found = ik_.solve(to_solver(configuration) * target, asked);
+    if (!found) return std::nullopt;
+    return std::move(found.positions);
+}
+
+std::optional<Path> ManipulatorModel::straight(const Configuration& configuration, const Configuration& from,
+                                               std::span<const Vector3> legs) const {
+    const Pose to = to_solver(configuration);
+    Path path = {from};
+    for (const Vector3& leg : legs) {
+        Pose target = ik_.forward(path.back());
+        target.translation() += to.linear() * leg;
+        const StraightLine line = straight_line(ik_, path.back(), target);
+        if (line.end != LineEnd::arrived) return std::nullopt;
+        path.insert(path.end(), line.path.begin() + 1, line.path.end());
+    }
+    return path;
+}
+
+}  // namespace praxis::tamp

@@ -1,0 +1,51 @@
+// What all calls of a manipulator share: groups, the inverse kinematics of the arm, how wide the fingers are.
+#pragma once
+
+#include "tamp/collision/fcl_checker.hpp"
+#include "tamp/manipulation/manipulator.hpp"
+#include "tamp/motion/inverse_kinematics.hpp"
+
+namespace praxis::tamp {
+
+struct ManipulatorModel {
+    /// Throws std::invalid_argument, see `Manipulator`.
+    ManipulatorModel(std::shared_ptr<const Robot> robot, Configuration home, const std::string& effector,
+                     const std::string& base_group, const ManipulatorOptions& options);
+
+    std::shared_ptr<const Robot> robot;
+    EndEffector effector;
+    ManipulatorOptions options;
+    int arm;
+    int base = -1;       ///< -1: the arm stands
+    int gripper = -1;    ///< -1: no fingers that move
+    Configuration home;  ///< of the whole robot; the fingers are open
+
+    const Group& group(int index) const { return robot->groups[static_cast<std::size_t>(index)]; }
+    /// A fast checker.
+    std::unique_ptr<CollisionChecker> checker(WorldPointer world, int group, const Configuration& rest) const;
+    /// Positions of the fingers that are `opening` metres apart.
+    Configuration fingers(double opening) const;
+    /// The world in which the hand may touch the body.
+    WorldPointer near(const World& world, int body) const;
+    Attachment hold(const Grasp& grasp) const;
+    Pose tool(const Configuration& configuration) const;
+
+    /// Number `number` of the arm's configurations with the tool at `target`, wherever the base of
+    /// `configuration` stands; the first is the one nearest to the arm's in it. Empty: there is none.
+    std::optional<Configuration> reach(const Configuration& configuration, const Pose& target,
+                                       std::uint64_t number) const;
+    /// The arm's path that moves the tool from `arm` along straight lines, each by a vector in the world.
+    std::optional<Path> straight(const Configuration& configuration, const Configuration& arm,
+                                 std::span<const Vector3> legs) const;
+
+  private:
+    /// Maps the world to what it is for the solver, whose base is at rest.
+    Pose to_solver(const Configuration& configuration) const;
+
+    int carrier_;  ///< link that the arm is mounted on
+    Pose carrier_at_rest_;
+    InverseKinematics ik_;
+    std::shared_ptr<SolidCache> cache_ = make_solid_cache();
+};
+
+}  // namespace praxis::tamp
