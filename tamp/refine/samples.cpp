@@ -85,11 +85,9 @@ bool Samples::extend(SampleList& list, StreamId stream, std::span<const ValueNum
             own = mix(own, fingerprints_[atom[i]]);
         }
         state += own;
-        atoms.push_back({problem_.task->task->predicates[atom[0]].name,
-                         std::span<const Value>(arguments).subspan(begin)});
+        atoms.push_back(
+            {problem_.task->task->predicates[atom[0]].name, {arguments.data() + begin, atom.size() - 1}});
     }
-    for (std::size_t i = 0, begin = 0; i < atoms.size(); begin += fluents[i].size() - 1, ++i)
-        atoms[i].arguments = std::span<const Value>(arguments).subspan(begin, fluents[i].size() - 1);
     fingerprint = mix(mix(fingerprint, state), list.attempts);
     StreamCall request{problem_.task->streams[stream.index()].name,
                        input_values,
