@@ -1,5 +1,6 @@
 #include "parser/syntax/messages.hpp"
 
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -51,16 +52,19 @@ void report_unknown_section(Reporter& reporter, const Tree& tree, FileKind kind,
     static constexpr std::pair<FileKind, std::span<const Word>> kSections[] = {
         {FileKind::domain, kDomain}, {FileKind::problem, kProblem}, {FileKind::streams, kStreams}};
     Suggestion suggestion(symbols.text(section.symbol));
-    std::string_view elsewhere;
+    std::optional<FileKind> elsewhere;
     for (const auto& [owner, words] : kSections) {
         for (const Word word : words) {
             if (owner == kind) suggestion.consider(spelling(word));
-            if (owner != kind && elsewhere.empty() && section.symbol == word) elsewhere = describe(owner);
+            if (owner != kind && !elsewhere && section.symbol == word) elsewhere = owner;
         }
     }
-    reporter.error(tree.where(section),
-                   "a " + std::string(describe(kind)) + " has no section " + quote(tree.spelled(section)),
-                   elsewhere.empty() ? suggestion.hint() : "it belongs into the " + std::string(elsewhere));
+    // ":predicate" in a domain is a misspelling rather than a part of a stream file.
+    if (elsewhere == FileKind::streams && suggestion.found()) elsewhere.reset();
+    reporter.error(
+        tree.where(section),
+        "a " + std::string(describe(kind)) + " has no section " + quote(tree.spelled(section)),
+        elsewhere ? "it belongs into the " + std::string(describe(*elsewhere)) : suggestion.hint());
 }
 
 }  // namespace praxis::syntax

@@ -106,25 +106,55 @@ class Restrictor {
 
     /// A fact that holds where one of these does not.
     Fact not_all(const std::vector<Fact>& facts) {
-        const auto size = [&](std::int32_t variable) {
-            return made_->domain_sizes[static_cast<std::size_t>(variable)];
-        };
-        if (facts.size() == 1 && size(facts[0].variable) == 2) return {facts[0].variable, 1 - facts[0].value};
+        if (facts.size() == 1) return complement(facts.front());
         const auto [at, is_new] = derived_.try_emplace(facts, 0);
         if (is_new) {
             std::int32_t layer = -1;
             for (const Fact& fact : facts)
                 layer = std::max(layer, made_->axiom_layers[static_cast<std::size_t>(fact.variable)]);
-            at->second = add_variable("some-other", layer + 1, 0);
-            for (const Fact& fact : facts) {
-                for (std::int32_t value = 0; value < size(fact.variable); ++value) {
-                    if (value == fact.value) continue;
-                    made_->axioms.push_back({{at->second, 1}});
-                    made_->axiom_bodies.append(std::vector<Fact>{{fact.variable, value}});
-                }
+            std::vector<Fact> others;
+            for (const Fact& fact : facts) others.push_back(complement(fact));
+            at->second = add_variable("not-all", layer + 1, 0);
+            for (const Fact& other : others) {
+                made_->axioms.push_back({{at->second, 1}});
+                made_->axiom_bodies.append(std::span<const Fact>(&other, 1));
             }
         }
         return {at->second, 1};
+    }
+
+    /// A fact that holds where this one does not.
+    Fact complement(Fact fact) {
+        const auto variable = static_cast<std::size_t>(fact.variable);
+        if (made_->domain_sizes[variable] == 2) return {fact.variable, 1 - fact.value};
+        const auto [at, is_new] = complements_.try_emplace(fact, 0);
+        if (!is_new) return {at->second, 1};
+        at->second = add_variable("not", -1, task_.initial_values[variable] == fact.value ? 0 : 1);
+        for (const Change& change : changes(fact.variable)) {
+            const bool gains = change.value == fact.value;
+            const Fact* before = required(change.op, fact.variable);
+            if (!gains && before != nullptr && before->value != fact.value) continue;
+            new_effects_[change.op.index()].push_back({{at->second, gains ? 0 : 1}, change.condition});
+        }
+        return {at->second, 1};
+    }
+
+    /// An effect on a variable.
+    struct Change {
+        OperatorId op;
+        std::int32_t value;
+        std::uint32_t condition;
+    };
+
+    const std::vector<Change>& changes(std::int32_t variable) {
+        if (changes_.empty()) {
+            changes_.resize(task_.variable_count());
+            for (std::size_t op = 0; op < task_.operator_count(); ++op)
+                for (const GroundEffect& effect : task_.effects[op])
+                    changes_[static_cast<std::size_t>(effect.fact.variable)].push_back(
+                        {OperatorId(op), effect.fact.value, effect.condition});
+        }
+        return changes_[static_cast<std::size_t>(variable)];
     }
 
     std::int32_t add_variable(const std::string& name, std::int32_t layer, std::int32_t initial) {
@@ -196,6 +226,8 @@ class Restrictor {
     std::map<std::uint32_t, std::vector<GroundEffect>> new_effects_;  // by operator
     std::map<std::pair<std::uint32_t, std::vector<Fact>>, std::int32_t> marks_;
     std::map<std::vector<Fact>, std::int32_t> derived_;
+    std::map<Fact, std::int32_t> complements_;
+    std::vector<std::vector<Change>> changes_;  // by variable
     std::optional<std::int32_t> never_;
 };
 

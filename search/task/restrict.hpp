@@ -4,10 +4,12 @@
 // such a state. A *nogood* is a set of events that must not all happen in one plan. So a nogood of one event
 // says: never this operator where all these facts hold; and with no facts: never this operator.
 //
-// Encoding. "Not all of these facts" is a derived variable with an axiom for each other value of each fact's
-// variable (or simply the other value, for one fact of a binary variable); it becomes a precondition. Events
-// of nogoods that have several leave a mark, a variable that the operator's effect sets. An operator that is
-// never to be applied needs a fact that nothing makes true, so that operators keep their numbers.
+// Encoding. A fact that must not hold is the other value of a binary variable, or a new binary variable, its
+// complement, that the operators keep up to date. "Not all of these facts" is a derived variable with an
+// axiom for each of them. (Axioms for all other values of a fact's variable, which need no complements, make
+// searches several times slower where variables have many values.) Events of nogoods that have several leave
+// a mark, a variable that the operator's effect sets. An operator that is never to be applied needs a fact
+// that nothing makes true, so that operators keep their numbers.
 #pragma once
 
 #include <memory>

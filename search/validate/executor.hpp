@@ -29,8 +29,8 @@ class Executor {
     /// By the task's metric.
     Rational cost() const { return cost_; }
 
-    /// The state at hand, by predicate, and what decides conditions in it. Derived predicates hold what they held when
-    /// they were last updated.
+    /// The state at hand, by predicate, and what decides conditions in it. Derived predicates hold what they
+    /// held when they were last updated.
     std::vector<FactTable>& tables() { return tables_; }
     Evaluator& evaluator() { return evaluator_; }
     DerivedPredicates& derived() { return derived_; }

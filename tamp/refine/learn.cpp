@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace praxis::tamp {
 namespace {
@@ -108,9 +109,15 @@ class Learner {
 
 }  // namespace
 
-Lesson learn(const StreamTask& streams, const SymbolicTask& task, const Skeleton& skeleton,
-             const SampleOutcome& failure) {
-    return Learner(streams, task, skeleton, failure).run();
+std::vector<Lesson> learn(const StreamTask& streams, const SymbolicTask& task, const Skeleton& skeleton,
+                          SampleOutcome failure) {
+    std::vector<Lesson> lessons{Learner(streams, task, skeleton, failure).run()};
+    const auto others = std::move(failure.others);
+    for (const auto& other : others) {
+        failure.fluents = {other};
+        lessons.push_back(Learner(streams, task, skeleton, failure).run());
+    }
+    return lessons;
 }
 
 Lesson exclude(const SymbolicTask& task, const Skeleton& skeleton) {

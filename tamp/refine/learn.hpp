@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "search/task/restrict.hpp"
 #include "tamp/refine/sampler.hpp"
@@ -14,10 +15,10 @@ struct Lesson {
     std::string reason;    ///< "(pick a #g) while (at-pose b p0): ik, motion"
 };
 
-/// The events that together need the nodes that explain the failure, in the states whose atoms made them
-/// needed or are to blame.
-Lesson learn(const StreamTask& streams, const SymbolicTask& task, const Skeleton& skeleton,
-             const SampleOutcome& failure);
+/// What the failure teaches, at least one lesson. A lesson has the events that together need the nodes that
+/// explain the failure, in the states whose atoms made them needed or are to blame.
+std::vector<Lesson> learn(const StreamTask& streams, const SymbolicTask& task, const Skeleton& skeleton,
+                          SampleOutcome failure);
 
 /// Only this plan's actions, all together: never definite.
 Lesson exclude(const SymbolicTask& task, const Skeleton& skeleton);

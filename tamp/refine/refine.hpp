@@ -39,8 +39,11 @@ namespace praxis::tamp {
 struct RefineOptions {
     std::uint64_t seed = 0;
     /// The search for skeletons, as for `praxis::configuration`.
-    std::string search = "lazy_greedy([ff(cost_type=one)],preferred=[ff(cost_type=one)],cost_type=one)";
-    /// Learn from failures. Off: a skeleton that failed is only excluded itself.
+    std::string search =
+        "lazy(alt([single(ff()),single(ff(),pref_only=true),type_based([ff(),g()])],boost=1000),"
+        "preferred=[ff()],cost_type=one)";
+    /// Learn from what rejections blame. Off (to compare): everything that a failed call was given is to
+    /// blame, so that a failure rules out little more than itself.
     bool nogoods = true;
     /// Jump back to what is to blame. Off: to the last choice (chronological backtracking).
     bool backjumping = true;
@@ -79,7 +82,7 @@ struct RefinedPlan {
 
 /// What was tried in vain; equal ones are counted together.
 struct Attempt {
-    std::string action;  ///< that wanted it; "(pick can4 #g1)"
+    std::string action;  ///< that wanted it; "(pick can4 #g1)"; empty: all samples were enumerated
     std::string stream;
     Reason reason = Reason::other;
     std::string message;
@@ -98,6 +101,7 @@ std::string_view to_string(RefineStatus status);
 
 struct RefineStatistics {
     std::uint64_t searches = 0, groundings = 0;
+    std::uint64_t evaluated = 0;               ///< states, in all searches
     std::uint64_t skeletons = 0;               ///< different plans that were tried
     std::uint64_t stream_calls = 0;            ///< of callbacks
     std::uint64_t samples = 0;                 ///< of these, with success

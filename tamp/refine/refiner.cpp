@@ -82,7 +82,6 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
     definite_.clear();
     soft_.clear();
     waiting_.clear();
-    reasons_.clear();
     round_ = 0;
     OptimisticTask optimistic = instantiate(*problem_.task, samples_, options, budget_);
     if (budget_.exhausted() != Stop::none) return std::nullopt;
@@ -96,7 +95,7 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
 
 bool Refiner::exact(const SymbolicTask& task) const {
     const OptimisticTask& optimistic = task.optimistic();
-    if (!optimistic.complete || !optimistic.materialised || !problem_.options.nogoods) return false;
+    if (!optimistic.complete || !optimistic.materialised) return false;
     for (std::size_t object = 0; object < task.shared().size(); ++object) {
         if (!task.shared()[object]) continue;
         const StreamInstance& instance = optimistic.instances[optimistic.producer[object]];
@@ -117,6 +116,7 @@ Refiner::End Refiner::work(const SymbolicTask& task, std::uint32_t rounds) {
             nogoods.insert(nogoods.end(), soft_.begin(), soft_.end());
             found = task.plan(nogoods, search_, budget_);
             ++statistics.searches;
+            statistics.evaluated += found.evaluated;
         }
         if (found.plan) {
             if (try_new(task, std::move(*found.plan), search_effort(task, found.evaluated)))
@@ -138,16 +138,16 @@ bool Refiner::try_new(const SymbolicTask& task, SymbolicPlan plan, double effort
     ++result_.statistics.skeletons;
     Waiting next{make_skeleton(*problem_.task, task, std::move(plan)), round_};
     const double before = samples_.effort();
-    Lesson lesson;
+    std::vector<Lesson> lessons;
     for (;; ++next.tries) {
-        if (attempt(task, next.skeleton, next.tries, lesson)) return true;
+        if (attempt(task, next.skeleton, next.tries, lessons)) return true;
         const bool worth_more =
-            !lesson.definite && samples_.effort() - before < effort && next.tries < round_ + 3;
+            !lessons.front().definite && samples_.effort() - before < effort && next.tries < round_ + 3;
         if (!worth_more || budget_.exhausted() != Stop::none) break;
     }
     if (callbacks_.on_progress) callbacks_.on_progress(result_.statistics);
-    if (!remember(lesson)) remember(exclude(task, next.skeleton));
-    if (!lesson.definite && waiting_.size() < kMostWaiting) waiting_.push_back(std::move(next));
+    if (!remember(lessons)) remember({exclude(task, next.skeleton)});
+    if (!lessons.front().definite && waiting_.size() < kMostWaiting) waiting_.push_back(std::move(next));
     return false;
 }
 
@@ -156,17 +156,17 @@ bool Refiner::try_again(const SymbolicTask& task) {
     std::vector<Waiting> still;
     for (Waiting& waiting : waiting_) {
         if (budget_.exhausted() != Stop::none) return false;
-        Lesson lesson;
-        if (attempt(task, waiting.skeleton, ++waiting.tries, lesson)) return true;
-        remember(lesson);
-        if (!lesson.definite) still.push_back(std::move(waiting));
+        std::vector<Lesson> lessons;
+        if (attempt(task, waiting.skeleton, ++waiting.tries, lessons)) return true;
+        remember(lessons);
+        if (!lessons.front().definite) still.push_back(std::move(waiting));
     }
     waiting_ = std::move(still);
     return false;
 }
 
 bool Refiner::attempt(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t tries,
-                      Lesson& lesson) {
+                      std::vector<Lesson>& lessons) {
     const Stopwatch watch(result_.statistics.sample_seconds);
     const std::uint32_t shift = std::min(tries, kLargestShift / 2);
     SampleLimits limits;
@@ -174,24 +174,32 @@ bool Refiner::attempt(const SymbolicTask& task, const Skeleton& skeleton, std::u
                    << shift;
     limits.attempts = kFirstAttempts << shift;
     limits.backjumping = problem_.options.backjumping;
-    const SampleOutcome outcome = sample(task, skeleton, samples_, limits, budget_);
-    if (outcome.solved) {
-        report(task, skeleton, outcome);
+    limits.blame = problem_.options.nogoods;
+    std::vector<SampleOutcome> outcomes = sample(task, skeleton, samples_, limits, budget_);
+    if (outcomes.front().solved) {
+        report(task, skeleton, outcomes.front());
         return true;
     }
-    lesson =
-        problem_.options.nogoods ? learn(*problem_.task, task, skeleton, outcome) : exclude(task, skeleton);
+    lessons.clear();
+    for (SampleOutcome& outcome : outcomes)
+        for (Lesson& lesson : learn(*problem_.task, task, skeleton, std::move(outcome)))
+            lessons.push_back(std::move(lesson));
     return false;
 }
 
-bool Refiner::remember(const Lesson& lesson) {
-    std::vector<Nogood>& nogoods = lesson.definite ? definite_ : soft_;
-    if (std::ranges::find(nogoods, lesson.nogood) != nogoods.end()) return false;
-    nogoods.push_back(lesson.nogood);
-    ++(lesson.definite ? result_.statistics.nogoods : result_.statistics.soft_nogoods);
-    if (reasons_.size() < kMostReasons && std::ranges::find(reasons_, lesson.reason) == reasons_.end())
-        reasons_.push_back(lesson.reason);
-    return true;
+bool Refiner::remember(const std::vector<Lesson>& lessons) {
+    bool any = false;
+    for (const Lesson& lesson : lessons) {
+        std::vector<Nogood>& nogoods = lesson.definite ? definite_ : soft_;
+        if (std::ranges::find(nogoods, lesson.nogood) != nogoods.end()) continue;
+        any = true;
+        nogoods.push_back(lesson.nogood);
+        ++(lesson.definite ? result_.statistics.nogoods : result_.statistics.soft_nogoods);
+        std::vector<std::string>& reasons = lesson.definite ? reasons_ : doubts_;
+        if (reasons.size() < kMostReasons && std::ranges::find(reasons, lesson.reason) == reasons.end())
+            reasons.push_back(lesson.reason);
+    }
+    return any;
 }
 
 void Refiner::report(const SymbolicTask& task, const Skeleton& skeleton, const SampleOutcome& outcome) {
@@ -217,10 +225,19 @@ Refinement Refiner::finish(End end) {
                      : stop == Stop::interrupted ? RefineStatus::cancelled
                                                  : RefineStatus::out_of_budget;
     result_.reasons = std::move(reasons_);
-    if (end == End::proved && result_.reasons.empty())
-        result_.reasons.emplace_back("the goal cannot be reached, whatever the streams give");
+    if (end != End::proved)
+        for (const std::string& doubt : doubts_) result_.reasons.push_back(doubt + ", so far");
     if (end == End::stuck)
         result_.reasons.emplace_back("nothing is left to try, but not all failures are definite");
+    if (!result_.reasons.empty()) return std::move(result_);
+    for (const Attempt& attempt : result_.attempts)
+        result_.reasons.push_back(attempt.stream + ": " + attempt.message + " (" +
+                                  std::to_string(attempt.count) + " times)");
+    if (result_.reasons.empty())
+        result_.reasons.emplace_back(end == End::proved
+                                         ? "no sequence of actions leads to the goal, whatever the "
+                                           "streams give"
+                                         : "the budget ended before anything failed");
     return std::move(result_);
 }
 

@@ -35,9 +35,10 @@ class Refiner {
     /// True: solved.
     bool try_new(const SymbolicTask& task, SymbolicPlan plan, double search_effort);
     bool try_again(const SymbolicTask& task);
-    bool attempt(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t tries, Lesson& lesson);
-    /// False: the nogood was known.
-    bool remember(const Lesson& lesson);
+    bool attempt(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t tries,
+                 std::vector<Lesson>& lessons);
+    /// False: all of it was known.
+    bool remember(const std::vector<Lesson>& lessons);
     void report(const SymbolicTask& task, const Skeleton& skeleton, const SampleOutcome& outcome);
     Refinement finish(End end);
 
@@ -51,7 +52,8 @@ class Refiner {
     std::vector<Nogood> soft_;
     std::vector<Waiting> waiting_;
     std::uint32_t round_ = 0;
-    std::vector<std::string> reasons_;
+    std::vector<std::string> reasons_;  ///< of definite failures
+    std::vector<std::string> doubts_;   ///< of others
 };
 
 }  // namespace praxis::tamp

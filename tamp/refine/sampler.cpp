@@ -91,6 +91,23 @@ class Backjumper {
         return outcome;
     }
 
+    /// Failures of nodes that depend on no other and are not among those of `first`.
+    std::vector<SampleOutcome> probe(const SampleOutcome& first) {
+        std::vector<SampleOutcome> result;
+        for (std::uint32_t depth = 0; depth < levels_.size() && !stopped_; ++depth) {
+            const StreamInfo& info = samples_.info(node(depth).stream);
+            const bool single = node(depth).outputs.empty() || info.max_samples == 1;
+            if (!single || !dependencies(order_[depth]).empty()) continue;
+            if (std::ranges::find(first.nodes, order_[depth]) != first.nodes.end()) continue;
+            enter(depth);
+            if (advance(depth) || stopped_) continue;
+            blame(depth);
+            SampleOutcome outcome = failure(levels_[depth].explanation);
+            if (outcome.definite) result.push_back(std::move(outcome));
+        }
+        return result;
+    }
+
   private:
     struct Level {
         SampleList* list = nullptr;
@@ -217,7 +234,7 @@ class Backjumper {
         // Of a stream with fluents that had samples, nothing is known in other states.
         if (level.cut || !list.definite || (list.count > 0 && !level.fluents.empty()))
             level.explanation.set(soft_bit());
-        const bool everything = list.count > 0 || list.attempts == 0;
+        const bool everything = !limits_.blame || list.count > 0 || list.attempts == 0;
         for (std::size_t i = 0; i < current.inputs.size(); ++i)
             if (everything || list.inputs[i]) conflict(level, current.inputs[i]);
         for (std::size_t i = 0; i < level.fluents.size(); ++i) {
@@ -226,6 +243,19 @@ class Backjumper {
             for (const std::uint32_t slot : current.fluents[level.fluent_order[i]].slots)
                 conflict(level, slot);
         }
+    }
+
+    bool known(const SkeletonFluent& fluent) const {
+        return std::ranges::all_of(fluent.slots,
+                                   [&](std::uint32_t slot) { return skeleton_.slots[slot].node == kNone; });
+    }
+
+    /// Of the fluents that each explain the failure alone, one that leaves nothing to jump back to, if there
+    /// is one.
+    std::size_t simplest(const Level& level, const SkeletonNode& current) const {
+        for (const std::uint32_t i : level.list->each)
+            if (known(current.fluents[level.fluent_order[i]])) return i;
+        return level.list->each.front();
     }
 
     void conflict(Level& level, std::uint32_t slot) {
@@ -249,7 +279,21 @@ class Backjumper {
             for (std::uint32_t i = 0; i < skeleton_.nodes[n].fluents.size(); ++i)
                 if (explanation.test(first_fluent_[n] + i)) outcome.fluents.emplace_back(n, i);
         }
+        if (outcome.fluents.size() == 1) add_others(outcome);
         return outcome;
+    }
+
+    void add_others(SampleOutcome& outcome) const {
+        const auto [n, chosen] = outcome.fluents.front();
+        const Level& level = levels_[depth_of_[n]];
+        if (!limits_.blame || level.list == nullptr || level.list->count > 0 ||
+            !known(skeleton_.nodes[n].fluents[chosen]))
+            return;
+        for (const std::uint32_t i : level.list->each) {
+            const std::uint32_t other = level.fluent_order[i];
+            if (other != chosen && known(skeleton_.nodes[n].fluents[other]))
+                outcome.others.emplace_back(n, other);
+        }
     }
 
     /// The limit is reached: the node that failed most often is to blame, as far as one can tell.
@@ -281,9 +325,13 @@ class Backjumper {
 
 }  // namespace
 
-SampleOutcome sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
-                     const SampleLimits& limits, const Budget& budget) {
-    return Backjumper(task, skeleton, samples, limits, budget).run();
+std::vector<SampleOutcome> sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
+                                  const SampleLimits& limits, const Budget& budget) {
+    Backjumper backjumper(task, skeleton, samples, limits, budget);
+    std::vector<SampleOutcome> outcomes{backjumper.run()};
+    if (outcomes.front().solved || !limits.blame) return outcomes;
+    for (SampleOutcome& other : backjumper.probe(outcomes.front())) outcomes.push_back(std::move(other));
+    return outcomes;
 }
 
 }  // namespace praxis::tamp

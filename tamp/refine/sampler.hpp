@@ -21,6 +21,7 @@ struct SampleLimits {
     std::uint32_t calls = 64;     ///< of callbacks, for the whole skeleton
     std::uint32_t attempts = 16;  ///< of one node for the same inputs, counted over all skeletons
     bool backjumping = true;
+    bool blame = true;  ///< look at what rejections blame; otherwise it is all that the call was given
 };
 
 struct SampleOutcome {
@@ -29,11 +30,15 @@ struct SampleOutcome {
     /// If not: no values exist, whatever is sampled. Otherwise a limit has cut something off.
     bool definite = true;
     std::vector<std::uint32_t> nodes;  ///< that explain the failure
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        fluents;  ///< and of them these fluents: (node, fluent)
+    /// And of them these fluents: (node, fluent).
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> fluents;
+    /// Each of these would explain it in place of `fluents`, of which there is one then.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> others;
 };
 
-SampleOutcome sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
-                     const SampleLimits& limits, const Budget& budget);
+/// Values for the skeleton, or one failure; behind it, failures of other nodes that need nothing that is
+/// sampled and fail by themselves. Never empty.
+std::vector<SampleOutcome> sample(const SymbolicTask& task, const Skeleton& skeleton, Samples& samples,
+                                  const SampleLimits& limits, const Budget& budget);
 
 }  // namespace praxis::tamp

@@ -85,11 +85,9 @@ bool Samples::extend(SampleList& list, StreamId stream, std::span<const ValueNum
             own = mix(own, fingerprints_[atom[i]]);
         }
         state += own;
-        atoms.push_back({problem_.task->task->predicates[atom[0]].name,
-                         std::span<const Value>(arguments).subspan(begin)});
+        atoms.push_back(
+            {problem_.task->task->predicates[atom[0]].name, {arguments.data() + begin, atom.size() - 1}});
     }
-    for (std::size_t i = 0, begin = 0; i < atoms.size(); begin += fluents[i].size() - 1, ++i)
-        atoms[i].arguments = std::span<const Value>(arguments).subspan(begin, fluents[i].size() - 1);
     fingerprint = mix(mix(fingerprint, state), list.attempts);
     StreamCall request{problem_.task->streams[stream.index()].name,
                        input_values,
@@ -156,7 +154,7 @@ void Samples::reject(SampleList& list, StreamId stream, const StreamResult& resu
     const Blame& blame = result.blame;
     const bool exhausted = result.kind == StreamResult::Kind::exhaustion;
     ++statistics_.rejections[schema.name];
-    for (const std::uint32_t i : blame.fluents) list.fluents[i] = true;
+    blame_fluents(list, blame);
     if (blame.inputs.empty()) list.inputs.assign(list.inputs.size(), true);
     for (const std::uint32_t i : blame.inputs) list.inputs[i] = true;
     const bool for_good = schema.output_count() == 0 || info(stream).max_samples == 1;
@@ -171,6 +169,24 @@ void Samples::reject(SampleList& list, StreamId stream, const StreamResult& resu
     ++kept.count;
     kept.picture = blame.picture;
     kept.definite = kept.definite && blame.definite;
+}
+
+void Samples::blame_fluents(SampleList& list, const Blame& blame) {
+    const bool first = list.attempts == 1;
+    if (!blame.each) {
+        for (const std::uint32_t i : blame.fluents) list.fluents[i] = true;
+        list.each.clear();
+        return;
+    }
+    if (blame.fluents.empty()) return;
+    const auto known = [&](std::uint32_t i) { return static_cast<bool>(list.fluents[i]); };
+    if (std::ranges::none_of(blame.fluents, known)) list.fluents[blame.fluents.front()] = true;
+    if (first)
+        list.each = blame.fluents;
+    else
+        std::erase_if(list.each, [&](std::uint32_t i) {
+            return std::ranges::find(blame.fluents, i) == blame.fluents.end();
+        });
 }
 
 double Samples::cost(std::size_t function, std::span<const ValueNumber> arguments) const {

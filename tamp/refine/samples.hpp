@@ -31,6 +31,8 @@ struct SampleList {
     /// To blame for the rejections so far: positions among the fluents of the call, and of the inputs.
     std::vector<bool> fluents;
     std::vector<bool> inputs;
+    /// Fluents that each explain all rejections so far, alone; empty: none does.
+    std::vector<std::uint32_t> each;
 };
 
 /// Whoever asks: for the attempts that are reported.
@@ -65,6 +67,7 @@ class Samples {
 
   private:
     void reject(SampleList& list, StreamId stream, const StreamResult& result, const ActionText& action);
+    static void blame_fluents(SampleList& list, const Blame& blame);
     void accept(SampleList& list, StreamId stream, StreamResult result, std::uint64_t fingerprint);
     StreamResult call(StreamId stream, StreamCall& call) const;
     std::string describe(StreamId stream, std::span<const Value> inputs) const;

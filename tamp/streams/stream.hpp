@@ -70,9 +70,14 @@ struct Blame {
     /// Indices into `StreamCall::fluents`: with these inputs the call fails wherever these atoms hold. Empty:
     /// it fails whatever holds.
     std::vector<std::uint32_t> fluents = {};
+    /// Each of these fluents alone is enough to make it fail (bodies in the way of the goal itself, say);
+    /// otherwise they may be needed together. Much more is learned from it: say so where it is true.
+    bool each = false;
     /// Indices of inputs: with these values it fails, whatever the others are. Empty: all inputs.
     std::vector<std::uint32_t> inputs = {};
-    /// False: another try with the same inputs might succeed (a search was cut off, say).
+    /// False: another try with the same inputs might succeed (a search was cut off, say). A definite
+    /// rejection is for good of a test, and of a stream that has one sample at most; of other streams, it is
+    /// about this sample.
     bool definite = true;
     /// For pictures of what failed; the planner hands it on (`Attempt::picture`).
     Value picture = {};

@@ -18,8 +18,8 @@ std::string readable(const std::type_info& type) {
 void Value::fail(const std::type_info& wanted) const {
     const std::string who = name_.empty() ? "a value" : "the value of '" + name_ + "'";
     throw std::invalid_argument(who +
-                                (content_ == nullptr ? " has no content" : " is a " + readable(*type_)) +
-                                "; a " + readable(wanted) + " is wanted");
+                                (content_ == nullptr ? " has no content" : " has type " + readable(*type_)) +
+                                "; " + readable(wanted) + " is wanted");
 }
 
 }  // namespace praxis::tamp

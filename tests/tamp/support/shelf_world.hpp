@@ -23,6 +23,7 @@ struct ShelfWorld {
     std::vector<int> walled = {};  ///< cells that nothing can reach
     int target = 0;
     bool definite = true;  ///< the stream's rejections are
+    bool each = true;      ///< the stream says that one item in the way is enough
 
     StreamTask task() const {
         std::string objects = "(:objects";
@@ -77,6 +78,7 @@ struct ShelfWorld {
         blame.reason = Reason::collision;
         blame.message = "in the way";
         blame.definite = definite;
+        blame.each = each;
         for (std::uint32_t i = 0; i < call.fluents.size(); ++i) {
             const Cell& there = call.fluents[i].arguments[1].get<Cell>();
             if (there.row == goal.row && there.depth < goal.depth) blame.fluents.push_back(i);
