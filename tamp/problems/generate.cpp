@@ -27,7 +27,12 @@ const std::vector<Generator>& generators() {
         {{"kitchen", "food to be washed, cooked and served", "pieces of food", 1, 8}, kitchen},
         {{"non-monotonic", "blockers that must return to where they stood", "blockers", 1, 8},
          non_monotonic},
+        {{"namo", "a parcel behind movable boxes, some of them in doors", "boxes", 20, 60}, namo},
         {{"packing", "pieces that just fit into a tray", "pieces", 3, 6, true}, packing},
+        {{"point-cloud-shelf", "the blocked shelf as a noisy cloud of points", "blockers", 1, 8},
+         point_cloud_shelf},
+        {{"rooms", "things in rooms with doors, for a mobile robot", "things", 6, 20}, rooms},
+        {{"rooms-octomap", "the same, the walls as an OctoMap", "things", 6, 20}, rooms_octomap},
     };
     return all;
 }

@@ -20,6 +20,9 @@ struct Board {
 /// Boards of the cell; the shelf stands on the table `bench`.
 std::vector<Board> shelf_boards();
 
+/// The box of the bench.
+Board shelf_bench();
+
 /// Bounds of the space within the boards.
 struct ShelfSpace {
     Size3 lower = {};
@@ -28,7 +31,7 @@ struct ShelfSpace {
 ShelfSpace shelf_space();
 
 /// The bench under the shelf and the tables beside the arm, with the regions `left` and `right`.
-void add_shelf_tables(ProblemText& text, const Place& region_size = {0.34, 0.5});
+void add_shelf_tables(ProblemText& text, const Place& region_size = {0.46, 0.36});
 
 /// The target `target` at the back and `blockers` before it, named `can1`, `can2`, ...; all may be put to the
 /// left and to the right. `depth` is where the target stands along x, in the world.
