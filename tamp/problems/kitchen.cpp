@@ -14,8 +14,8 @@ GeneratedProblem kitchen(ProblemRequest request) {
     text.add_box("counter", {0.5, 0.8, 0.1}, {0.58, 0, 0});
     text.add_box("table-left", {0.6, 0.5, 0.1}, {0.1, 0.65, 0});
     text.add_box("table-right", {0.6, 0.5, 0.1}, {0.1, -0.65, 0});
-    // A hood over the stove: what stands there is taken from the side of the arm, or low from above.
-    text.add_box("hood", {0.3, 0.3, 0.02}, {0.1, 0.65, 0.5}, colors::kGrey);
+    // A hood over the stove: the arm has to stay under it or keep beside it.
+    text.add_box("hood", {0.3, 0.3, 0.02}, {0.1, 0.65, 0.56}, colors::kGrey);
     for (const std::string name : {"counter", "table-left", "table-right"}) text.add_top(name);
     text.add_region("shelf", "counter", {0, 0}, {0.42, 0.7});
     text.add_region("stove", "table-left", {0, -0.1}, {0.14, 0.14});

@@ -67,7 +67,7 @@ GeneratedProblem point_cloud_shelf(ProblemRequest request) {
     // What the cloud tells begins over the bench, which is known.
     text.add_fixed("shelf",
                    "points: {file: shelf.xyz, edge: 0.02, sensor: [0.05, 0, 0.47], least_points: 2, bounds: "
-                   "[[0.38, -0.36, 0.34], [0.8, 0.36, 0.74]]}");
+                   "[[0.41, -0.36, 0.34], [0.83, 0.36, 0.74]]}");
     add_shelf_tables(text);
     add_shelf_things(text, request.random, request.size, shelf_space().upper[0] - 0.08);
     text.add_goal("(in target right)");

@@ -1,9 +1,6 @@
 #include "tamp/problems/shelf.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "tamp/problems/scatter.hpp"
 
 namespace praxis::tamp {
 
@@ -12,11 +9,11 @@ namespace {
 constexpr double kTop = 0.3;     ///< height of the bench
 constexpr double kTable = 0.2;   ///< height of the tables beside the arm
 constexpr double kHalf = 0.33;    ///< half the width of the cell
-constexpr double kFront = 0.4;   ///< where the cell begins along x
-constexpr double kBack = 0.76;    ///< where it ends
+constexpr double kFront = 0.43;  ///< where the cell begins along x
+constexpr double kBack = 0.79;    ///< where it ends
 constexpr double kHeight = 0.38;  ///< of the space in the cell
 constexpr double kBoard = 0.02;
-constexpr double kBench = 0.58;  ///< middle of the bench along x
+constexpr double kBench = 0.61;  ///< middle of the bench along x
 constexpr double kStick = 0.04;
 
 }  // namespace
@@ -64,14 +61,27 @@ void add_shelf_things(ProblemText& text, Random& random, int blockers, double de
                         .grasps = "[side]"});
         text.add_fact("(placeable " + name + " left) (placeable " + name + " right)");
     };
-    const Place target = {depth, uniform(random, -0.08, 0.08)};
-    // The first stands right before the target, the others anywhere in front.
-    std::vector<Place> places = {target, {kFront + 0.04 + uniform(random, 0, 0.17), target[1]}};
-    // Away from the sides: the hand is wide.
-    const ScatterBox space = {{kFront + 0.02, -kHalf + 0.12}, {kBack - 0.13, kHalf - 0.12}};
-    const std::vector<Place> others = scatter(random, space, blockers - 1, 0.1, 0.07, places);
+    // Three rows of five before the target, a hand's width apart, a little disturbed; the first blocker stands in
+    // the target's column.
+    constexpr int kRows = 3;
+    constexpr int kColumns = 5;
+    const auto at = [&](int row, double column) -> Place {
+        return {kFront + 0.03 + 0.075 * row + uniform(random, -0.006, 0.006),
+                0.085 * (column - kColumns / 2) + uniform(random, -0.004, 0.004)};
+    };
+    const int column = 1 + static_cast<int>(random.below(kColumns - 2));
+    const Place target = {depth, at(0, column)[1]};
+    std::vector<int> slots;
+    for (int slot = 0; slot < kRows * kColumns; ++slot) slots.push_back(slot);
+    random.shuffle(slots);
+    const auto first = std::ranges::find(slots, column, [](int slot) { return slot % kColumns; });
+    std::iter_swap(slots.begin(), first);
+    std::vector<Place> places = {target};
+    for (int i = 0; i < blockers; ++i) {
+        const int slot = slots[static_cast<std::size_t>(i)];
+        places.push_back(at(slot / kColumns, slot % kColumns));
+    }
     add("target", target, colors::kRed);
-    places.insert(places.end(), others.begin(), others.end());
     for (int i = 1; i <= blockers; ++i) {
         add("can" + std::to_string(i), places[static_cast<std::size_t>(i)], colors::kBlue);
     }
