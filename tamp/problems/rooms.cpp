@@ -6,6 +6,7 @@
 
 #include "tamp/problems/floor_plan.hpp"
 #include "tamp/problems/scatter.hpp"
+#include "tamp/report/number_text.hpp"
 
 namespace praxis::tamp {
 
@@ -36,8 +37,13 @@ std::string octomap_of(const std::vector<Wall>& walls) {
         }
     }
     tree.updateInnerOccupancy();
+    tree.toMaxLikelihood();
+    tree.prune();
+    // As `writeBinary` does, which talks on the terminal.
     std::ostringstream bytes;
-    tree.writeBinary(bytes);
+    bytes << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
+          << shortest(kEdge) << "\ndata\n";
+    tree.writeBinaryData(bytes);
     return bytes.str();
 }
 
