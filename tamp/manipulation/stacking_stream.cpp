@@ -28,8 +28,8 @@ void bind_stacking(StreamLibrary& library, std::shared_ptr<const PickPlaceScene>
         const std::optional<Pose> pose =
             stacking_pose(model(call.inputs[0]), model(call.inputs[1]), call.inputs[2].get<Pose>());
         if (pose) return StreamResult::sample({Value::of(*pose)});
-        return StreamResult::exhausted(
-            {.message = "'" + call.inputs[1].name() + "' has no level top for '" + call.inputs[0].name() + "'"});
+        return StreamResult::exhausted({.message = "'" + call.inputs[1].name() + "' has no level top for '" +
+                                                   call.inputs[0].name() + "'"});
     };
     library.bind("sample-stacking", stack, {.effort = 1, .max_samples = 1});
 }

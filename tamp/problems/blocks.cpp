@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "tamp/problems/scatter.hpp"
 #include "tamp/problems/families.hpp"
+#include "tamp/problems/scatter.hpp"
 
 namespace praxis::tamp {
 
@@ -58,8 +58,7 @@ GeneratedProblem blocks(ProblemRequest request) {
 
     const std::vector<int> below = stack_up(random, request.size);
     const auto stacks = static_cast<int>(std::ranges::count(below, -1));
-    const std::vector<Place> places =
-        scatter(random, {{-0.19, -0.28}, {0.13, 0.28}}, stacks, 0.16, 0.1);
+    const std::vector<Place> places = scatter(random, {{-0.19, -0.28}, {0.13, 0.28}}, stacks, 0.16, 0.1);
     std::size_t stack = 0;
     for (int block = 0; block < request.size; ++block) {
         const int under = below[static_cast<std::size_t>(block)];

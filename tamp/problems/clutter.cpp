@@ -57,14 +57,14 @@ GeneratedProblem clutter(ProblemRequest request) {
             text.add_region(color.name, "far-table", {0, 0}, {0.36, 0.3});
         } else {
             const bool narrow = odd && twin == Twin::narrow;
-            text.add_region(color.name, color.table, color.center, narrow ? Place{0.03, 0.03} : Place{0.36, 0.28});
+            text.add_region(color.name, color.table, color.center,
+                            narrow ? Place{0.03, 0.03} : Place{0.36, 0.28});
         }
     }
     const ScatterBox space = {{0.33, -0.4}, {0.72, 0.4}};
-    const std::vector<Place> places =
-        twin == Twin::caged
-            ? scatter(random, space, request.size - 1, 0.1, 0.07, {{0.5, 0}, {0.56, 0}, {0.44, 0}})
-            : scatter(random, space, request.size, 0.1, 0.07);
+    const std::vector<Place> places = twin == Twin::caged ? scatter(random, space, request.size - 1, 0.1,
+                                                                    0.07, {{0.5, 0}, {0.56, 0}, {0.44, 0}})
+                                                          : scatter(random, space, request.size, 0.1, 0.07);
     for (int i = 0; i < request.size; ++i) {
         const bool caged = twin == Twin::caged && i == 0;
         const std::size_t number = static_cast<std::size_t>(twin == Twin::caged ? i - 1 : i);

@@ -59,8 +59,10 @@ class Architect {
         const double half = plan_.pitch() / 2;
         for (int room = 0; room < side * side; ++room) {
             const Place center = plan_.center(room);
-            if (room % side + 1 < side) doors.push_back({room, room + 1, {center[0] + half, center[1]}, false});
-            if (room / side + 1 < side) doors.push_back({room, room + side, {center[0], center[1] + half}, true});
+            if (room % side + 1 < side)
+                doors.push_back({room, room + 1, {center[0] + half, center[1]}, false});
+            if (room / side + 1 < side)
+                doors.push_back({room, room + side, {center[0], center[1] + half}, true});
         }
         return doors;
     }
@@ -82,8 +84,8 @@ class Architect {
         const double length = (plan_.pitch() - plan_.options.door) / 2;
         const double shift = (plan_.options.door + length) / 2;
         for (const double side : {-shift, shift}) {
-            add({door.center[0] + (door.along_x ? side : 0), door.center[1] + (door.along_x ? 0 : side)}, length,
-                door.along_x);
+            add({door.center[0] + (door.along_x ? side : 0), door.center[1] + (door.along_x ? 0 : side)},
+                length, door.along_x);
         }
     }
 

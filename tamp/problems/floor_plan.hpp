@@ -16,12 +16,12 @@ struct Wall {
 };
 
 struct FloorPlanOptions {
-    int side = 2;        ///< rooms along a side
-    double room = 3;     ///< metres along a side of a room, from wall to wall
-    double door = 1;     ///< metres that a door is wide
-    double wall = 0.1;   ///< metres that walls are thick
-    double height = 1;   ///< metres
-    double closed = 0.3; ///< share of the doors that are walled up; the rooms stay connected
+    int side = 2;         ///< rooms along a side
+    double room = 3;      ///< metres along a side of a room, from wall to wall
+    double door = 1;      ///< metres that a door is wide
+    double wall = 0.1;    ///< metres that walls are thick
+    double height = 1;    ///< metres
+    double closed = 0.3;  ///< share of the doors that are walled up; the rooms stay connected
 };
 
 struct Door {

@@ -27,8 +27,7 @@ GeneratedProblem hanoi(ProblemRequest request) {
         text.add_cylinder("pad-" + pegs[peg], 0.045, 0.01, {centers[peg][0], centers[peg][1], 0.055});
     }
     const auto position = [&](std::size_t peg, int level) -> Size3 {
-        return {centers[peg][0], centers[peg][1],
-                0.06 + kGap + kHeight / 2 + (level - 1) * (kHeight + kGap)};
+        return {centers[peg][0], centers[peg][1], 0.06 + kGap + kHeight / 2 + (level - 1) * (kHeight + kGap)};
     };
     const auto slot = [&](std::size_t peg, int level) { return pegs[peg] + std::to_string(level); };
     const std::size_t from = random.below(3);

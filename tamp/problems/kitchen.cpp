@@ -27,14 +27,14 @@ GeneratedProblem kitchen(ProblemRequest request) {
         scatter(random, {{-0.2, -0.33}, {0.15, 0.33}}, request.size + cups, 0.12, 0.085);
     for (int i = 0; i < request.size + cups; ++i) {
         const bool food = i < request.size;
-        const std::string name = food ? "food" + std::to_string(i + 1)
-                                      : "cup" + std::to_string(i - request.size + 1);
-        text.add_thing({.name = name,
-                        .shape = food ? box_text({0.045, 0.045, uniform(random, 0.05, 0.1)})
-                                      : cylinder_text(0.03, 0.1),
-                        .surface = "counter",
-                        .place = places[static_cast<std::size_t>(i)],
-                        .color = food ? colors::kRed : colors::kBlue});
+        const std::string name =
+            food ? "food" + std::to_string(i + 1) : "cup" + std::to_string(i - request.size + 1);
+        text.add_thing(
+            {.name = name,
+             .shape = food ? box_text({0.045, 0.045, uniform(random, 0.05, 0.1)}) : cylinder_text(0.03, 0.1),
+             .surface = "counter",
+             .place = places[static_cast<std::size_t>(i)],
+             .color = food ? colors::kRed : colors::kBlue});
         for (const std::string place : {"shelf", "sink"}) {
             text.add_fact("(placeable " + name + " " + place + ")");
         }

@@ -1,5 +1,5 @@
-// Ten by ten metres, four rooms: boxes that can be moved stand about, and one stands in every door. The parcel
-// has to come from the last room to the first.
+// Ten by ten metres, four rooms: boxes that can be moved stand about, and one stands in every door. The
+// parcel has to come from the last room to the first.
 #include "tamp/problems/floor_plan.hpp"
 #include "tamp/problems/scatter.hpp"
 
@@ -8,8 +8,7 @@ namespace praxis::tamp {
 GeneratedProblem namo(ProblemRequest request) {
     constexpr int kRooms = 4;
     Random& random = request.random;
-    const FloorPlan plan =
-        make_floor_plan(random, {.side = 2, .room = 4.9, .door = 0.9, .closed = 0.5});
+    const FloorPlan plan = make_floor_plan(random, {.side = 2, .room = 4.9, .door = 0.9, .closed = 0.5});
     ProblemText text("pick-place", request.name,
                      "A parcel has to be fetched past " + std::to_string(request.size) +
                          " boxes, some of which stand in doors.",

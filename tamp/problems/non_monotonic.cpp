@@ -1,5 +1,5 @@
-// The target has to go to the table on the right, and every blocker has to stand where it stood at first: what
-// is moved must be moved again.
+// The target has to go to the table on the right, and every blocker has to stand where it stood at first:
+// what is moved must be moved again.
 #include "tamp/problems/shelf.hpp"
 
 namespace praxis::tamp {

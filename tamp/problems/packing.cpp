@@ -1,6 +1,6 @@
 // Pieces that just fit into a tray, in cells side by side. They are of different heights: fingers have room
-// beside a piece only where its neighbours are lower, or not there yet. The tray of the twin is a row of cells
-// too small.
+// beside a piece only where its neighbours are lower, or not there yet. The tray of the twin is a row of
+// cells too small.
 #include <algorithm>
 
 #include "tamp/problems/families.hpp"

@@ -1,5 +1,5 @@
-// The blocked shelf as a depth camera saw it when it was empty: a noisy cloud of points, a few of them far off,
-// and space that was never seen, which counts as occupied.
+// The blocked shelf as a depth camera saw it when it was empty: a noisy cloud of points, a few of them far
+// off, and space that was never seen, which counts as occupied.
 #include <cmath>
 #include <limits>
 

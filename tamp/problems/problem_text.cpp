@@ -80,8 +80,7 @@ void ProblemText::add_top(const std::string& surface, const std::string& body) {
 }
 
 void ProblemText::add_floor(const std::string& name, const Size3& center, const Place& size) {
-    surfaces_ +=
-        "  - {name: " + name + ", pose: {xyz: " + list(center) + "}, size: " + list(size) + "}\n";
+    surfaces_ += "  - {name: " + name + ", pose: {xyz: " + list(center) + "}, size: " + list(size) + "}\n";
 }
 
 void ProblemText::add_region(const std::string& name, const std::string& surface, const Place& center,

@@ -1,5 +1,5 @@
-// Rooms with doors, each with a low table; a mobile robot carries things from table to table. Walls are boxes,
-// or voxels of an OctoMap.
+// Rooms with doors, each with a low table; a mobile robot carries things from table to table. Walls are
+// boxes, or voxels of an OctoMap.
 #include <octomap/OcTree.h>
 
 #include <sstream>
@@ -12,7 +12,7 @@ namespace praxis::tamp {
 
 namespace {
 
-constexpr double kTable = 0.5;        ///< side of a table
+constexpr double kTable = 0.5;  ///< side of a table
 constexpr double kTableHeight = 0.3;
 
 /// Rooms for a number of things: four for six, nine for twenty.
@@ -86,8 +86,8 @@ GeneratedProblem make_rooms(ProblemRequest request, bool octomap) {
                         .place = at,
                         .color = i % 2 == 0 ? colors::kRed : colors::kBlue});
         if (i % 2 != 0) continue;
-        const std::size_t other = (room + 1 + random.below(static_cast<std::size_t>(rooms) - 1)) %
-                                  static_cast<std::size_t>(rooms);
+        const std::size_t other =
+            (room + 1 + random.below(static_cast<std::size_t>(rooms) - 1)) % static_cast<std::size_t>(rooms);
         const std::string goal = "on-table" + std::to_string(other + 1);
         text.add_fact("(placeable " + name + " " + goal + ")");
         text.add_goal("(in " + name + " " + goal + ")");

@@ -6,10 +6,10 @@ namespace praxis::tamp {
 
 namespace {
 
-constexpr double kTop = 0.3;     ///< height of the bench
-constexpr double kTable = 0.2;   ///< height of the tables beside the arm
+constexpr double kTop = 0.3;      ///< height of the bench
+constexpr double kTable = 0.2;    ///< height of the tables beside the arm
 constexpr double kHalf = 0.33;    ///< half the width of the cell
-constexpr double kFront = 0.43;  ///< where the cell begins along x
+constexpr double kFront = 0.43;   ///< where the cell begins along x
 constexpr double kBack = 0.79;    ///< where it ends
 constexpr double kHeight = 0.38;  ///< of the space in the cell
 constexpr double kBoard = 0.02;
@@ -61,8 +61,8 @@ void add_shelf_things(ProblemText& text, Random& random, int blockers, double de
                         .grasps = "[side]"});
         text.add_fact("(placeable " + name + " left) (placeable " + name + " right)");
     };
-    // Three rows of five before the target, a hand's width apart, a little disturbed; the first blocker stands in
-    // the target's column.
+    // Three rows of five before the target, a hand's width apart, a little disturbed; the first blocker
+    // stands in the target's column.
     constexpr int kRows = 3;
     constexpr int kColumns = 5;
     const auto at = [&](int row, double column) -> Place {

@@ -36,7 +36,8 @@ TEST(Stacking, AStreamGivesOnePoseOrNamesTheBodyThatIsMissing) {
     const Value pose = Value::of(pose_from_rpy({0, 0, 0.3}, Vector3::Zero()));
     std::vector<Value> inputs = {Value().named("a"), Value().named("b"), pose};
     const Budget budget;
-    StreamCall call{.stream = "sample-stacking", .inputs = inputs, .fluents = {}, .random = Random(0), .budget = budget};
+    StreamCall call{
+        .stream = "sample-stacking", .inputs = inputs, .fluents = {}, .random = Random(0), .budget = budget};
     const StreamResult result = stream->callback(call);
     ASSERT_EQ(result.kind, StreamResult::Kind::sample);
     EXPECT_NEAR(result.outputs.at(0).get<Pose>().translation().z(), 0.38 + kPlacementGap, 1e-12);
