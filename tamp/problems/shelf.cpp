@@ -46,9 +46,11 @@ void add_shelf_tables(ProblemText& text, const Place& region_size) {
     text.add_box(bench.name, bench.size, bench.center);
     text.add_box("table-left", {0.5, 0.4, 0.1}, {0.05, 0.52, kTable - 0.05});
     text.add_box("table-right", {0.5, 0.4, 0.1}, {0.05, -0.52, kTable - 0.05});
-    for (const std::string name : {"bench", "table-left", "table-right"}) text.add_top(name);
+    text.add_box("table-behind", {0.4, 0.9, 0.1}, {-0.5, 0, kTable - 0.05});
+    for (const std::string name : {"bench", "table-left", "table-right", "table-behind"}) text.add_top(name);
     text.add_region("left", "table-left", {0, 0}, region_size);
     text.add_region("right", "table-right", {0, 0}, region_size);
+    text.add_region("behind", "table-behind", {0, 0}, {0.36, 0.8});
 }
 
 void add_shelf_things(ProblemText& text, Random& random, int blockers, double depth) {
@@ -60,6 +62,7 @@ void add_shelf_things(ProblemText& text, Random& random, int blockers, double de
                         .color = color,
                         .grasps = "[side]"});
         text.add_fact("(placeable " + name + " left) (placeable " + name + " right)");
+        text.add_fact("(placeable " + name + " behind)");
     };
     // Three rows of five before the target, a hand's width apart, a little disturbed; the first blocker
     // stands in the target's column.

@@ -1,5 +1,5 @@
-// A cell of a shelf in front of the arm, open to its side, with a target behind blockers, and a table on each
-// side of the arm.
+// A cell of a shelf in front of the arm, open to its side, with a target behind blockers, and tables on both
+// sides of the arm and behind it.
 #pragma once
 
 #include <string>
@@ -30,11 +30,11 @@ struct ShelfSpace {
 };
 ShelfSpace shelf_space();
 
-/// The bench under the shelf and the tables beside the arm, with the regions `left` and `right`.
+/// The bench under the shelf and the other tables, with the regions `left`, `right` and `behind`.
 void add_shelf_tables(ProblemText& text, const Place& region_size = {0.46, 0.36});
 
-/// The target `target` at the back and `blockers` before it, named `can1`, `can2`, ...; all may be put to the
-/// left and to the right. `depth` is where the target stands along x, in the world.
+/// The target `target` at the back and `blockers` before it, named `can1`, `can2`, ...; all may be put
+/// on every table. `depth` is where the target stands along x, in the world.
 void add_shelf_things(ProblemText& text, Random& random, int blockers, double depth);
 
 }  // namespace praxis::tamp
