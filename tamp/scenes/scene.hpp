@@ -42,6 +42,7 @@ struct Scene {
     std::vector<Surface> surfaces = {};
     std::vector<Region> regions = {};
     std::map<std::string, int, std::less<>> objects = {};  ///< name in PDDL -> body
+    std::map<std::string, Pose, std::less<>> poses = {};   ///< in the world, by name in PDDL
     std::map<int, std::vector<GraspKind>> grasps = {};     ///< by body; not there: all kinds
     std::map<std::string, std::string, std::less<>> stream_options = {};
     Vector3 gravity = {0, 0, -9.81};

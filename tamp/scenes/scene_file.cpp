@@ -54,7 +54,7 @@ class SceneReader {
         const YAML::Node root = file_.root();
         file_.require_keys(
             root, "a scene",
-            {"robot", "bodies", "surfaces", "regions", "allowed_collisions", "gravity", "stream_options"});
+            {"robot", "bodies", "surfaces", "regions", "poses", "allowed_collisions", "gravity", "stream_options"});
         read_robot_part(file_.member(root, "robot", "a scene"));
         each(root, "bodies", [&](const YAML::Node& node) { add_body(node); });
         each(root, "surfaces", [&](const YAML::Node& node) { add_surface(node); });
@@ -62,6 +62,7 @@ class SceneReader {
         scene_.world = std::make_shared<const World>(world_);
         each(root, "bodies", [&](const YAML::Node& node) { place_body(node); });
         each(root, "regions", [&](const YAML::Node& node) { add_region(node); });
+        each(root, "poses", [&](const YAML::Node& node) { add_pose(node); });
         each(root, "allowed_collisions", [&](const YAML::Node& node) { add_allowed(node); });
         const YAML::Node gravity = YamlDocument::find(root, "gravity");
         if (is_given(gravity)) scene_.gravity = file_.vector(gravity, "gravity");
@@ -412,6 +413,16 @@ class SceneReader {
             }
         }
         scene_.regions.push_back(std::move(region));
+    }
+
+    void add_pose(const YAML::Node& node) {
+        const std::string name = folded(name_of(node, "a pose"));
+        const std::string what = "pose " + quote(name);
+        file_.require_keys(node, what, {"name", "pose"});
+        const Pose pose = read_scene_pose(file_, file_.member(node, "pose", what), what);
+        if (!scene_.poses.emplace(name, pose).second) {
+            file_.fail(node, what + ": there is a pose of this name already");
+        }
     }
 
     void add_allowed(const YAML::Node& node) {

@@ -1,0 +1,23 @@
+; Cook and serve 2 pieces of food, wash 1 cups.
+(define (problem kitchen-2-1)
+  (:domain kitchen)
+  (:objects shelf stove sink plate - region
+            food1 food2 cup1 - body
+            p-food1 p-food2 p-cup1 - pose)
+  (:init (hand-empty)
+         (stove stove)
+         (sink sink)
+         (graspable food1) (pose-of food1 p-food1) (at food1 p-food1)
+         (placeable food1 shelf)
+         (placeable food1 sink)
+         (placeable food1 stove) (placeable food1 plate)
+         (graspable food2) (pose-of food2 p-food2) (at food2 p-food2)
+         (placeable food2 shelf)
+         (placeable food2 sink)
+         (placeable food2 stove) (placeable food2 plate)
+         (graspable cup1) (pose-of cup1 p-cup1) (at cup1 p-cup1)
+         (placeable cup1 shelf)
+         (placeable cup1 sink))
+  (:goal (and (cooked food1) (in food1 plate)
+              (cooked food2) (in food2 plate)
+              (clean cup1) (in cup1 shelf))))
