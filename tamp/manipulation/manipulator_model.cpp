@@ -1,6 +1,7 @@
 #include "tamp/manipulation/manipulator_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "tamp/collision/fast_checker.hpp"
@@ -34,6 +35,17 @@ int find_carrier(const Robot& robot, const Group& arm) {
         if (std::ranges::find(arm.variables, joint.variable) != arm.variables.end()) return joint.parent;
     }
     return 0;
+}
+
+/// The planner works on floats: its ends are set to what was asked for. False: they are not the same, but by
+/// whole turns of an angle without limits.
+bool snap(Configuration& positions, const Configuration& exact) {
+    constexpr double kRounding = 1e-4;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (std::abs(positions[i] - exact[i]) > kRounding) return false;
+    }
+    positions = exact;
+    return true;
 }
 
 }  // namespace
@@ -78,12 +90,9 @@ Configuration ManipulatorModel::fingers(double opening) const {
     return positions;
 }
 
-WorldPointer ManipulatorModel::near(const World& world, int body) const {
-    World allowed = world;
-    for (const int link : effector.links) {
-        allowed = allowed.with_allowed({Participant::Kind::link, link}, {Participant::Kind::body, body});
-    }
-    return std::make_shared<const World>(std::move(allowed));
+double ManipulatorModel::grip(const Grasp& grasp) {
+    constexpr double kGap = 0.001;
+    return grasp.opening + kGap;
 }
 
 Attachment ManipulatorModel::hold(const Grasp& grasp) const {
@@ -92,6 +101,23 @@ Attachment ManipulatorModel::hold(const Grasp& grasp) const {
 
 Pose ManipulatorModel::tool(const Configuration& configuration) const {
     return link_pose(*robot, configuration, effector.link) * effector.tool;
+}
+
+MotionResult ManipulatorModel::travel(CollisionChecker& checker, const Configuration& start,
+                                      const Configuration& goal, std::uint64_t variation,
+                                      const Budget& budget) const {
+    constexpr std::uint64_t kTries = 3;
+    MotionResult found;
+    for (std::uint64_t i = 0; i < kTries; ++i) {
+        found = plan_motion(checker, start, std::span(&goal, 1),
+                            {.seed = options.seed + variation + (i << 32),
+                             .certified = options.certified,
+                             .budget = budget.within(options.plan_time)});
+        if (found.status != MotionStatus::solved) return found;
+        if (snap(found.path.front(), start) && snap(found.path.back(), goal)) return found;
+    }
+    found.status = MotionStatus::not_found;
+    return found;
 }
 
 Pose ManipulatorModel::to_solver(const Configuration& configuration) const {

@@ -4,6 +4,7 @@
 #include "tamp/collision/fcl_checker.hpp"
 #include "tamp/manipulation/manipulator.hpp"
 #include "tamp/motion/inverse_kinematics.hpp"
+#include "tamp/motion/planner.hpp"
 
 namespace praxis::tamp {
 
@@ -25,8 +26,9 @@ struct ManipulatorModel {
     std::unique_ptr<CollisionChecker> checker(WorldPointer world, int group, const Configuration& rest) const;
     /// Positions of the fingers that are `opening` metres apart.
     Configuration fingers(double opening) const;
-    /// The world in which the hand may touch the body.
-    WorldPointer near(const World& world, int body) const;
+    /// How far apart the fingers are while they hold a body: a hair wider than it, since touching would count
+    /// as a collision.
+    static double grip(const Grasp& grasp);
     Attachment hold(const Grasp& grasp) const;
     Pose tool(const Configuration& configuration) const;
 
@@ -37,6 +39,10 @@ struct ManipulatorModel {
     /// The arm's path that moves the tool from `arm` along straight lines, each by a vector in the world.
     std::optional<Path> straight(const Configuration& configuration, const Configuration& arm,
                                  std::span<const Vector3> legs) const;
+
+    /// A motion from `start` to `goal`, whose ends are exactly these.
+    MotionResult travel(CollisionChecker& checker, const Configuration& start, const Configuration& goal,
+                        std::uint64_t variation, const Budget& budget) const;
 
   private:
     /// Maps the world to what it is for the solver, whose base is at rest.

@@ -1,9 +1,7 @@
 #include "tamp/manipulation/skill_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "tamp/motion/planner.hpp"
 #include "tamp/sampling/base_poses.hpp"
 
 namespace praxis::tamp {
@@ -13,14 +11,6 @@ namespace {
 Path reversed(Path path) {
     std::ranges::reverse(path);
     return path;
-}
-
-/// The planner works on floats: its ends are set to what was asked for, but for whole turns.
-void snap(Configuration& positions, const Configuration& exact) {
-    constexpr double kRounding = 1e-5;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (std::abs(positions[i] - exact[i]) < kRounding) positions[i] = exact[i];
-    }
 }
 
 Vector3 approach_of(const Pose& tool) {
@@ -36,7 +26,7 @@ ActionResult SkillRun::pick(int body, const Grasp& grasp) {
 
 ActionResult SkillRun::place(int body, const Grasp& grasp, const Pose& pose) {
     if (model_.gripper >= 0) {
-        model_.robot->insert(model_.group(model_.gripper), model_.fingers(grasp.opening),
+        model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.grip(grasp)),
                              state_.configuration);
     }
     return from_base_poses(pose.translation(), [&] { return place_from_here(body, grasp, pose); });
@@ -104,31 +94,30 @@ bool SkillRun::pick_with(int body, const Grasp& grasp, const Configuration& arm)
     const int group = model_.arm;
     move_fingers(model_.effector.max_opening);
     const Configuration open = state_.configuration;
-    const auto near = model_.checker(model_.near(*state_.world, body), group, open);
-    if (!near->is_free(arm)) {
-        return refuse(*near, arm, "the grasp");
+    const auto empty = model_.checker(state_.world, group, open);
+    if (!empty->is_free(arm)) {
+        return refuse(*empty, arm, "the grasp");
     }
     Configuration at_grasp = open;
     model_.robot->insert(model_.group(group), arm, at_grasp);
     const Pose tool = model_.tool(at_grasp);
     const std::optional<Path> back =
-        free_line(*near, arm, {{-model_.options.approach * approach_of(tool)}}, "the approach");
+        free_line(*empty, arm, {{-model_.options.approach * approach_of(tool)}}, "the approach");
     if (!back) return false;
 
     Attachment held = model_.hold(grasp);
     World grasped = state_.world->with_attached(body, held);
     Configuration closed = at_grasp;
     if (model_.gripper >= 0) {
-        model_.robot->insert(model_.group(model_.gripper), model_.fingers(grasp.opening), closed);
+        model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.grip(grasp)), closed);
     }
     const auto holding = model_.checker(std::make_shared<const World>(grasped), group, closed);
     const std::optional<Path> lift = free_line(*holding, arm, ways_up(approach_of(tool)), "the lift");
     if (!lift) return false;
 
-    const auto checker = model_.checker(state_.world, group, open);
-    if (!travel(*checker, Kind::transit, group, back->back(), "the way to it", true)) return false;
+    if (!travel(*empty, Kind::transit, group, back->back(), "the way to it", true)) return false;
     add(Kind::approach, group, reversed(*back));
-    move_fingers(grasp.opening);
+    move_fingers(model_.grip(grasp));
     pieces_.push_back({.kind = Kind::gripper, .group = group, .attach = {{body, std::move(held)}}});
     set_world(std::move(grasped));
     add(Kind::retreat, group, *lift);
@@ -171,12 +160,12 @@ bool SkillRun::place_with(int body, const Grasp&, const Pose& pose, const Config
     if (model_.gripper >= 0) {
         model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.effector.max_opening), open);
     }
-    const auto near = model_.checker(model_.near(released, body), group, open);
-    if (!near->is_free(arm)) {
-        return refuse(*near, arm, "the hand as it opens");
+    const auto empty = model_.checker(std::make_shared<const World>(released), group, open);
+    if (!empty->is_free(arm)) {
+        return refuse(*empty, arm, "the hand as it opens");
     }
     const std::optional<Path> back =
-        free_line(*near, arm, {{-model_.options.approach * approach_of(tool)}}, "the hand's way back");
+        free_line(*empty, arm, {{-model_.options.approach * approach_of(tool)}}, "the hand's way back");
     if (!back) return false;
 
     if (!travel(*holding, Kind::transfer, group, up->back(), "the way to its place", true)) return false;
@@ -210,14 +199,9 @@ bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Con
                       const std::string& phase, bool homing) {
     const Configuration start = model_.robot->extract(model_.group(group), state_.configuration);
     if (start == goal) return true;
-    const MotionOptions options{.seed = model_.options.seed + variation_,
-                                .certified = model_.options.certified,
-                                .budget = budget_.within(model_.options.plan_time)};
-    MotionResult found = plan_motion(checker, start, std::span(&goal, 1), options);
+    MotionResult found = model_.travel(checker, start, goal, variation_, budget_);
     switch (found.status) {
         case MotionStatus::solved:
-            snap(found.path.front(), start);
-            snap(found.path.back(), goal);
             add(kind, group, std::move(found.path));
             pieces_.back().homing = homing;
             return true;

@@ -97,7 +97,7 @@ TEST_F(ManipulatorTest, TakesAStickAndPutsItElsewhere) {
     Configuration home = manipulator_.model().home;
     const int gripper = manipulator_.model().gripper;
     arm7()->insert(arm7()->groups[static_cast<std::size_t>(gripper)],
-                   manipulator_.model().fingers(picked->first.opening), home);
+                   manipulator_.model().fingers(ManipulatorModel::grip(picked->first)), home);
     const World after = execute(manipulator_, holding, home, *placed.motion);
     EXPECT_FALSE(after[1].attachment);
     EXPECT_TRUE(after[1].pose.isApprox(target, 1e-9));
