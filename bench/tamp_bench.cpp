@@ -78,7 +78,7 @@ void run(const Settings& settings, const std::string& family, int size, std::uin
     write_problem(problem, folder);
     BoundProblem bound(problem, folder);
     std::uint64_t motions = 0;
-    count_motions(bound.library, motions);
+    count_motions(bound.streams.library, motions);
     Budget budget;
     budget.limit_wall_time(settings.limit);
     const auto begin = std::chrono::steady_clock::now();
