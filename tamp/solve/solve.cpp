@@ -1,7 +1,7 @@
 #include "tamp/solve/solve.hpp"
 
+#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "parser/files.hpp"
@@ -9,6 +9,7 @@
 #include "tamp/manipulation/join_motions.hpp"
 #include "tamp/manipulation/manipulator_model.hpp"
 #include "tamp/report/describe.hpp"
+#include "tamp/report/document_names.hpp"
 #include "tamp/scenes/scene_file.hpp"
 #include "tamp/solve/describe_values.hpp"
 #include "tamp/validate/refinement_validator.hpp"
@@ -107,9 +108,16 @@ class Solver {
             validate_trajectory(solution_.document, *problem_.scene.robot, *problem_.scene.world,
                                 problem_.scene.start, options_.check);
         solution_.checked = motion.checked;
-        if (!motion.valid)
-            throw InvalidSolution("the motion is not valid at " + std::to_string(motion.time) +
-                                  " s: " + motion.reason);
+        if (motion.valid) return;
+        std::string where;
+        if (motion.segment >= 0) {
+            const TrajectoryDocument::Segment& segment =
+                solution_.document.segments[static_cast<std::size_t>(motion.segment)];
+            where = " (" + name_of(segment.kind) + " of " +
+                    plan.action(static_cast<std::size_t>(segment.action)) + ")";
+        }
+        throw InvalidSolution("the motion is not valid at " + std::to_string(motion.time) + " s" + where +
+                              ": " + motion.reason);
     }
 
     void add_attempts() {
