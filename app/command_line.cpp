@@ -15,6 +15,7 @@ constexpr const char* kPlanUsage =
     "  plan validate DOMAIN PROBLEM PLAN          check a plan, say which action fails and why\n"
     "  plan ground DOMAIN PROBLEM [--sas FILE]    show what the grounder makes of a task\n"
     "  plan belief DOMAIN PROBLEM                 plan and act when not everything is known\n"
+    "  plan refine DOMAIN PROBLEM SCENE           plan for a robot, down to collision-free motion\n"
     "  plan practice ENVIRONMENT...               practise skills, and compare ways to choose which\n"
     "  plan list [evaluators|engines|aliases]     every component with its options\n"
     "\n'-' reads a file from standard input. 'plan COMMAND --help' tells more about a command.";

@@ -1,11 +1,13 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <variant>
 
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
+#include "app/refine_launch.hpp"
 #include "app/report.hpp"
 
 namespace {
@@ -32,6 +34,7 @@ int dispatch(const Request& request) {
 
 int main(int argc, char** argv) {
     start_clock();
+    if (argc > 1 && std::strcmp(argv[1], "refine") == 0) return launch_refine(argc, argv);
     int exit_code = kInternalError;
     try {
         exit_code = dispatch(parse_command_line(argc, argv));

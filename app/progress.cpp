@@ -43,6 +43,7 @@ std::string Progress::line() const {
                   bytes_text(resident_memory()).c_str());
     std::string text = head;
     if (share_) return text + share_line();
+    if (!detail_.empty()) return text + phase_ + ": " + detail_;
     if (!searching_) return text + phase_;
     text += phase_;
     text +=

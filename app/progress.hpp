@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "search/engines/search.hpp"
 
@@ -14,10 +15,15 @@ class Progress {
   public:
     explicit Progress(bool shown);
 
-    void set_phase(const char* phase) { phase_ = phase; }
+    void set_phase(const char* phase) {
+        phase_ = phase;
+        detail_.clear();
+    }
     void set_statistics(const SearchStatistics& statistics);
     /// Of the work that is known beforehand, this fraction is done; `text` says more.
     void set_share(double done, std::string text);
+    /// What to tell of the phase at hand.
+    void set_detail(std::string text) { detail_ = std::move(text); }
     /// Shows how far things are, if enough time has passed since the last time.
     void show();
     /// Prints a line of its own.
@@ -39,6 +45,7 @@ class Progress {
     bool searching_ = false;
     std::optional<double> share_;
     std::string share_text_;
+    std::string detail_;
     double next_ = 1;
     double step_ = 1;
 };

@@ -114,6 +114,7 @@ std::string to_json(const Report& report) {
     for (const BeliefRun& run : report.runs) value["runs"].push_back(to_value(run));
     if (report.offline) value["offline"] = to_value(*report.offline);
     if (!report.practice.empty()) value["practice"] = Json::parse(report.practice);
+    if (!report.refine.empty()) value["refine"] = Json::parse(report.refine);
     value["seconds"] = elapsed_seconds();
     value["processor_seconds"] = processor_seconds();
     value["peak_memory"] = peak_memory();

@@ -70,6 +70,7 @@ struct Report {
     std::vector<BeliefRun> runs;
     std::optional<OfflineReport> offline;
     std::string practice;  ///< the figures of an experiment, as JSON; empty: there are none
+    std::string refine;    ///< what a refinement found, as JSON; empty: nothing
 };
 
 /// The report as JSON, ending with a newline.

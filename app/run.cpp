@@ -112,6 +112,11 @@ void Run::set_share(double done, std::string text) {
     progress_->set_share(done, std::move(text));
 }
 
+void Run::set_detail(std::string text) {
+    const std::scoped_lock lock(mutex_);
+    progress_->set_detail(std::move(text));
+}
+
 void Run::set_phase(const char* phase) {
     const std::scoped_lock lock(mutex_);
     progress_->set_phase(phase);

@@ -54,6 +54,9 @@ class Run {
     void set_phase(const char* phase);
     /// How much of the work is done, in [0, 1], and in words.
     void set_share(double done, std::string text);
+    /// What to tell of the phase at hand, for progress.
+    void set_detail(std::string text);
+    void say_warnings(const std::vector<Diagnostic>& warnings, const Sources& sources);
     /// A line on standard error, unless quiet.
     void say(const std::string& line);
     bool verbose() const { return options_.verbose; }
@@ -63,7 +66,6 @@ class Run {
 
   private:
     std::pair<std::string, std::string> files();
-    void say_warnings(const std::vector<Diagnostic>& warnings, const Sources& sources);
     void tick();
     [[noreturn]] void overrun(Stop stop);
     int finish(const Ending& ending);

@@ -19,6 +19,7 @@ Belief::Belief(std::shared_ptr<const Compilation> compilation)
       invariants_(InitialKnowledge::of_invariants(compilation_->belief())),
       derived_(compilation_->belief()),
       supposed_derived_(derived_),
+      hypotheses_(compilation_->belief()),
       consistent_(initial_.consistent()),
       touched_(compilation_->belief().uncertain.size(), false),
       values_(compilation_->task()->initial_values) {
@@ -110,9 +111,14 @@ void Belief::touch(std::uint32_t action) {
 
 void Belief::act(std::uint32_t action) {
     const FiniteDomainTask& compiled = *compilation_->task();
+    if (!hypotheses_.empty()) {
+        hypotheses_.allow(action, beside());
+        settle();
+    }
     touch(action);
-    for (Cases& cases : cases_) cases.act(action, [&](const Fact& fact) { return supposes(fact); });
-    if (!hypotheses_.empty()) hypotheses_.act(compilation_->belief(), action, value_beside());
+    const std::vector<Cases::Way> ways = this->ways(action);
+    hypotheses_.act(action, changeable(action), beside());
+    for (Cases& cases : cases_) cases.act(action, ways);
     before_ = values_;
     for (const GroundEffect& effect : compilation_->effects(action))
         if (effect.condition == 0 || all_hold(compiled.conditions[effect.condition], before_.data()))
@@ -169,17 +175,14 @@ bool Belief::learn(Fact fact) {
 }
 
 std::optional<Supposition> Belief::fail(std::uint32_t action) {
-    const BeliefTask& task = compilation_->belief();
     touch(action);
+    const std::vector<Cases::Way> ways = this->ways(action);
+    hypotheses_.fail(action, changeable(action), beside());
     for (Cases& cases : cases_) {
         Cases after = cases;
-        after.act(action, [&](const Fact& fact) { return supposes(fact); });
+        after.act(action, ways);
         cases.unite(after);
     }
-    std::vector<std::int32_t> variables(task.forgotten[action].begin(), task.forgotten[action].end());
-    for (const GroundEffect& effect : physical().effects[action]) variables.push_back(effect.fact.variable);
-    std::erase_if(variables, [&](std::int32_t variable) { return compilation_->tracked(variable); });
-    hypotheses_.fail(task, action, variables, value_beside());
     ++step_;
     if (!confirmed_.empty()) decay();
     settle();
@@ -189,7 +192,7 @@ std::optional<Supposition> Belief::fail(std::uint32_t action) {
 }
 
 std::optional<Supposition> Belief::refuse(std::uint32_t action) {
-    if (!hypotheses_.refuse(compilation_->belief(), action, value_beside())) return std::nullopt;
+    if (!hypotheses_.refuse(action, beside())) return std::nullopt;
     settle();
     return supposition();
 }
@@ -201,14 +204,48 @@ std::optional<Supposition> Belief::suppose_otherwise() {
     return supposition();
 }
 
-Hypotheses::Value Belief::value_beside() const {
+KnownBeside Belief::beside() const {
     return [this](std::int32_t variable) { return supposed(variable); };
+}
+
+std::vector<std::int32_t> Belief::changeable(std::uint32_t action) const {
+    const auto forgotten = compilation_->belief().forgotten[action];
+    std::vector<std::int32_t> variables(forgotten.begin(), forgotten.end());
+    for (const GroundEffect& effect : physical().effects[action]) variables.push_back(effect.fact.variable);
+    std::erase_if(variables, [&](std::int32_t variable) { return compilation_->tracked(variable); });
+    return variables;
+}
+
+std::vector<Cases::Way> Belief::ways(std::uint32_t action) {
+    std::vector<Cases::Way> result;
+    if (cases_.empty()) return result;
+    const auto precondition = physical().preconditions[action];
+    const auto add = [&](Hypothesis& hypothesis) {
+        Cases::Way way;
+        for (const GroundEffect& effect : physical().effects[action]) {
+            const auto condition = physical().conditions[effect.condition];
+            way.push_back(std::all_of(condition.begin(), condition.end(), [&](const Fact& fact) {
+                return compilation_->tracked(fact.variable) ||
+                       std::find(precondition.begin(), precondition.end(), fact) != precondition.end() ||
+                       hypothesis.value(fact.variable) == fact.value;
+            }));
+        }
+        if (std::find(result.begin(), result.end(), way) == result.end()) result.push_back(std::move(way));
+    };
+    // Those count that allow the action; all of them, if none does.
+    for (const bool allowed : {true, false})
+        if (result.empty())
+            hypotheses_.for_each(beside(), [&](Hypothesis& hypothesis) {
+                if (hypothesis.allows(action) == allowed) add(hypothesis);
+            });
+    return result;
 }
 
 void Belief::settle() {
     if (!hypotheses_.empty()) {
         for (const Fact& fact : hypotheses_.settle())
-            if (fact.value != BeliefTask::kUnknown) values_[basic(fact.variable)] = fact.value;
+            values_[basic(fact.variable)] =
+                fact.value == BeliefTask::kUnknown ? Compilation::kNotKnown : fact.value;
         for (const std::int32_t variable : hypotheses_.variables())
             values_[basic(variable)] = Compilation::kNotKnown;
         for (const Fact& fact : supposition().facts) values_[basic(fact.variable)] = fact.value;

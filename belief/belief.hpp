@@ -89,7 +89,11 @@ class Belief {
         return static_cast<std::size_t>(compilation_->variable(variable));
     }
     std::int32_t supposed(std::int32_t variable) const;
-    Hypotheses::Value value_beside() const;
+    KnownBeside beside() const;
+    /// The variables that an action may change and that are not tracked.
+    std::vector<std::int32_t> changeable(std::uint32_t action) const;
+    /// By effect, whether what is not tracked of its condition holds: as it may be.
+    std::vector<Cases::Way> ways(std::uint32_t action);
     void touch(std::uint32_t action);
     /// Takes over what the hypotheses agree in, and what is supposed.
     void settle();

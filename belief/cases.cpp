@@ -18,6 +18,46 @@ Cases::Cases(const BeliefTask& task, const Components& components, const Compone
     finish();
 }
 
+std::vector<Cases::Change> Cases::changes(std::uint32_t action, const Way& way) const {
+    const auto effects = task_->physical->effects[action];
+    std::vector<Change> result;
+    for (std::size_t e = 0; e < effects.size(); ++e)
+        if (const std::uint32_t column = column_of(effects[e].fact.variable);
+            column != Components::kNone && way[e])
+            result.push_back({column, static_cast<std::int8_t>(effects[e].fact.value), effects[e].condition});
+    return result;
+}
+
+void Cases::act(std::uint32_t action, std::span<const Way> ways) {
+    std::vector<std::vector<Change>> outcomes;
+    for (const Way& way : ways)
+        if (std::vector<Change> outcome = changes(action, way);
+            std::find(outcomes.begin(), outcomes.end(), outcome) == outcomes.end())
+            outcomes.push_back(std::move(outcome));
+    const bool opens = !task_->forgotten[action].empty();
+    if (outcomes.size() == 1 && outcomes.front().empty() && !opens) return;
+    std::vector<std::int8_t> rows;
+    rows.reserve(rows_.size() * outcomes.size());
+    for (const std::vector<Change>& outcome : outcomes) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::int8_t* const before = row(i);
+            std::int8_t* const values = &*rows.insert(rows.end(), before, before + width_);
+            for (const Change& change : outcome) {
+                const auto condition = task_->physical->conditions[change.condition];
+                if (std::all_of(condition.begin(), condition.end(), [&](const Fact& fact) {
+                        const std::uint32_t column = column_of(fact.variable);
+                        return column == Components::kNone || before[column] == fact.value;
+                    }))
+                    values[change.column] = change.value;
+            }
+        }
+    }
+    rows_ = std::move(rows);
+    count_ = rows_.size() / width_;
+    if (opens) open_choices(action);
+    finish();
+}
+
 bool Cases::keep(std::size_t column, std::int32_t value) {
     if (exception(column, 1 - value) == count_) return false;
     std::size_t kept = 0;

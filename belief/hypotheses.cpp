@@ -1,6 +1,7 @@
 #include "belief/hypotheses.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace praxis::belief {
@@ -25,41 +26,45 @@ std::uint64_t Hypotheses::fingerprint() const {
     return result;
 }
 
-void Hypotheses::act(const BeliefTask& task, std::uint32_t action, const Value& value) {
-    if (empty()) return;
-    const auto precondition = task.physical->preconditions[action];
-    std::vector<Row> left = rows_;
-    std::erase_if(left, [&](const Row& row) { return hold(row, precondition, value) == Truth::known_false; });
+void Hypotheses::allow(std::uint32_t action, const KnownBeside& beside) {
+    std::vector<Row> left;
+    for (const Row& row : rows_)
+        if (hypothesis(row, beside).allows(action)) left.push_back(row);
     if (!left.empty()) rows_ = std::move(left);
-    for (Row& row : rows_) row = after(task, action, row, value);
+}
+
+void Hypotheses::act(std::uint32_t action, std::span<const std::int32_t> variables,
+                     const KnownBeside& beside) {
+    if (empty()) return;
+    add(variables, beside);
+    for (Row& row : rows_) row = after(action, row, beside);
     remove_repeated();
 }
 
-void Hypotheses::fail(const BeliefTask& task, std::uint32_t action, std::span<const std::int32_t> variables,
-                      const Value& value) {
-    for (const std::int32_t variable : variables) add(variable, value);
-    if (empty()) return;
-    const auto precondition = task.physical->preconditions[action];
-    const auto possible = [&](const Row& row) {
-        return hold(row, precondition, value) != Truth::known_false;
-    };
-    std::stable_partition(rows_.begin(), rows_.end(), [&](const Row& row) { return !possible(row); });
-    for (std::size_t i = 0, count = rows_.size(); i < count; ++i)
-        if (possible(rows_[i])) rows_.push_back(after(task, action, rows_[i], value));
+void Hypotheses::fail(std::uint32_t action, std::span<const std::int32_t> variables,
+                      const KnownBeside& beside) {
+    add(variables, beside);
+    std::vector<Row> impossible, unchanged, changed;
+    for (Row& row : rows_) {
+        const bool allowed = hypothesis(row, beside).allows(action);
+        if (allowed) changed.push_back(after(action, row, beside));
+        (allowed ? unchanged : impossible).push_back(std::move(row));
+    }
+    rows_ = std::move(impossible);
+    for (std::vector<Row>* rows : {&unchanged, &changed})
+        rows_.insert(rows_.end(), std::make_move_iterator(rows->begin()),
+                     std::make_move_iterator(rows->end()));
     remove_repeated();
     if (rows_.size() > kMostHypotheses) rows_.resize(kMostHypotheses);
 }
 
-bool Hypotheses::refuse(const BeliefTask& task, std::uint32_t action, const Value& value) {
-    const auto precondition = task.physical->preconditions[action];
-    // Derived atoms are those of the first hypothesis: of the others they tell nothing.
-    const bool derived = std::any_of(precondition.begin(), precondition.end(),
-                                     [&](const Fact& fact) { return task.physical->derived(fact.variable); });
+bool Hypotheses::refuse(std::uint32_t action, const KnownBeside& beside) {
+    const auto precondition = task_->physical->preconditions[action];
     std::vector<Row> left;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Truth possible = hold(rows_[i], precondition, value);
-        if (possible == Truth::known_false || (i > 0 && (derived || possible == Truth::unknown)))
-            left.push_back(rows_[i]);
+    for (const Row& row : rows_) {
+        const Truth possible = hypothesis(row, beside).hold(precondition);
+        if (possible == Truth::known_false || (possible == Truth::unknown && &row != &rows_.front()))
+            left.push_back(row);
     }
     if (left.empty()) return false;
     rows_ = std::move(left);
@@ -102,11 +107,13 @@ std::vector<Fact> Hypotheses::settle() {
     return agreed;
 }
 
-void Hypotheses::add(std::int32_t variable, const Value& value) {
-    if (about(variable)) return;
-    if (empty()) rows_.emplace_back();
-    columns_.push_back(variable);
-    for (Row& row : rows_) row.push_back(value(variable));
+void Hypotheses::add(std::span<const std::int32_t> variables, const KnownBeside& beside) {
+    for (const std::int32_t variable : variables) {
+        if (about(variable)) continue;
+        if (empty()) rows_.emplace_back();
+        columns_.push_back(variable);
+        for (Row& row : rows_) row.push_back(beside(variable));
+    }
 }
 
 void Hypotheses::remove_repeated() {
@@ -116,36 +123,19 @@ void Hypotheses::remove_repeated() {
     rows_ = std::move(rows);
 }
 
-std::int32_t Hypotheses::value(const Row& row, std::int32_t variable, const Value& value) const {
-    const std::size_t c = column(variable);
-    return c < columns_.size() ? row[c] : value(variable);
-}
-
-Truth Hypotheses::hold(const Row& row, std::span<const Fact> facts, const Value& other) const {
-    Truth result = Truth::known_true;
-    for (const Fact& fact : facts) {
-        const std::int32_t now = value(row, fact.variable, other);
-        if (now == BeliefTask::kUnknown)
-            result = Truth::unknown;
-        else if (now != fact.value)
-            return Truth::known_false;
-    }
-    return result;
-}
-
-Hypotheses::Row Hypotheses::after(const BeliefTask& task, std::uint32_t action, const Row& row,
-                                  const Value& other) const {
+Hypotheses::Row Hypotheses::after(std::uint32_t action, const Row& row, const KnownBeside& beside) {
+    Hypothesis before = hypothesis(row, beside);
     Row result = row;
-    for (const GroundEffect& effect : task.physical->effects[action]) {
+    for (const GroundEffect& effect : task_->physical->effects[action]) {
         const std::size_t c = column(effect.fact.variable);
         if (c == columns_.size()) continue;
-        const Truth fires = hold(row, task.physical->conditions[effect.condition], other);
+        const Truth fires = before.fires(action, effect.condition);
         if (fires == Truth::known_true)
             result[c] = effect.fact.value;
         else if (fires == Truth::unknown && result[c] != effect.fact.value)
             result[c] = BeliefTask::kUnknown;
     }
-    for (const std::int32_t variable : task.forgotten[action])
+    for (const std::int32_t variable : task_->forgotten[action])
         if (about(variable)) result[column(variable)] = BeliefTask::kUnknown;
     return result;
 }

@@ -10,20 +10,17 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "belief/belief_task.hpp"
-#include "belief/percept.hpp"
+#include "belief/hypothesis.hpp"
 
 namespace praxis::belief {
 
 class Hypotheses {
   public:
-    /// The value of a variable that is not in doubt, or is derived (then by the first hypothesis);
-    /// BeliefTask::kUnknown if it is not known.
-    using Value = std::function<std::int32_t(std::int32_t variable)>;
+    /// Refers to the task.
+    explicit Hypotheses(const BeliefTask& task) : task_(&task), derived_(task) {}
 
     bool empty() const { return columns_.empty(); }
     bool about(std::int32_t variable) const { return column(variable) < columns_.size(); }
@@ -34,14 +31,19 @@ class Hypotheses {
     /// Tells hypotheses apart (up to chance).
     std::uint64_t fingerprint() const;
 
-    /// The action has been executed.
-    void act(const BeliefTask& task, std::uint32_t action, const Value& value);
-    /// It has failed; `variables`: what it may have changed. Hypotheses beyond 256 are dropped.
-    void fail(const BeliefTask& task, std::uint32_t action, std::span<const std::int32_t> variables,
-              const Value& value);
+    /// Calls `visit(Hypothesis&)` for each one; once, for what is known beside, if nothing is in doubt.
+    template <class Visit>
+    void for_each(const KnownBeside& beside, const Visit& visit);
+
+    /// The action has been executed, so it was possible. Nothing changes if that contradicts all of them.
+    void allow(std::uint32_t action, const KnownBeside& beside);
+    /// The action, which was possible, has happened; `variables`: what it may have changed.
+    void act(std::uint32_t action, std::span<const std::int32_t> variables, const KnownBeside& beside);
+    /// It has failed. Hypotheses beyond 256 are dropped.
+    void fail(std::uint32_t action, std::span<const std::int32_t> variables, const KnownBeside& beside);
     /// It was refused, though possible by the first hypothesis. False, and nothing changes, if none explains
     /// that.
-    bool refuse(const BeliefTask& task, std::uint32_t action, const Value& value);
+    bool refuse(std::uint32_t action, const KnownBeside& beside);
     /// The fact holds. If no hypothesis agrees, the first is changed.
     void learn(Fact fact);
     /// The second hypothesis is supposed, and the first one comes last.
@@ -55,15 +57,26 @@ class Hypotheses {
     using Row = std::vector<std::int32_t>;
 
     std::size_t column(std::int32_t variable) const;
-    void add(std::int32_t variable, const Value& value);
+    void add(std::span<const std::int32_t> variables, const KnownBeside& beside);
     void remove_repeated();
-    std::int32_t value(const Row& row, std::int32_t variable, const Value& value) const;
-    /// Whether all facts hold in the row: no, yes, or not known.
-    Truth hold(const Row& row, std::span<const Fact> facts, const Value& value) const;
-    Row after(const BeliefTask& task, std::uint32_t action, const Row& row, const Value& value) const;
+    Hypothesis hypothesis(const Row& row, const KnownBeside& beside) {
+        return {*task_, columns_, row, beside, derived_};
+    }
+    Row after(std::uint32_t action, const Row& row, const KnownBeside& beside);
 
+    const BeliefTask* task_;
+    DerivedKnowledge derived_;           ///< of the hypothesis that is looked at
     std::vector<std::int32_t> columns_;  ///< variables
     std::vector<Row> rows_;              ///< none if there are no columns
 };
+
+template <class Visit>
+void Hypotheses::for_each(const KnownBeside& beside, const Visit& visit) {
+    const std::vector<Row> none(1);
+    for (const Row& row : empty() ? none : rows_) {
+        Hypothesis one = hypothesis(row, beside);
+        visit(one);
+    }
+}
 
 }  // namespace praxis::belief

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/smoke.hpp"
 #include "search/engines/random.hpp"
 #include "tamp/motion/inverse_kinematics.hpp"
 #include "tamp/motion/straight_line.hpp"
@@ -172,39 +173,40 @@ void report_median(const char* name, std::size_t count, Run&& solve) {
     std::printf("| %-44s | %8.1f |\n", name, times[times.size() / 2]);
 }
 
-void run_others() {
-    constexpr std::size_t kCount = 2000;
+void run_others(std::size_t count) {
     const std::shared_ptr<const Robot> arm = panda_arm();
     const Group& group = arm->groups[0];
     const MotionLimits limits = motion_limits(*arm, group);
     Random random(2);
     std::printf("\n| %-44s | median us |\n| --- | --- |\n", "what");
     for (const std::size_t waypoints : {5UL, 20UL, 100UL}) {
-        std::vector<Path> paths(kCount);
+        std::vector<Path> paths(count);
         for (Path& path : paths) {
             for (std::size_t i = 0; i < waypoints; ++i) path.push_back(random_positions(*arm, 0, random));
         }
-        report_median(("timing a path of " + std::to_string(waypoints) + " waypoints").c_str(), kCount,
+        report_median(("timing a path of " + std::to_string(waypoints) + " waypoints").c_str(), count,
                       [&](std::size_t i) { time_parametrise(paths[i], limits); });
     }
     const InverseKinematics ik(arm, 0, group.tip);
     const Configuration ready = {0, -0.6, 0, -2.2, 0, 1.6, 0.8};
     Pose target = ik.forward(ready);
     target.translation() += Vector3(0, 0, -0.2);
-    report_median("straight line of 20 cm, 10 steps", kCount,
+    report_median("straight line of 20 cm, 10 steps", count,
                   [&](std::size_t) { straight_line(ik, ready, target); });
-    report_median("making a solver", 200, [&](std::size_t) { InverseKinematics(arm, 0, group.tip); });
+    report_median("making a solver", std::min<std::size_t>(count, 200),
+                  [&](std::size_t) { InverseKinematics(arm, 0, group.tip); });
 }
 
 }  // namespace
 }  // namespace praxis::tamp
 
 int main(int argc, char** argv) {
-    const long count = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 10000;
+    const bool smoke = praxis::is_smoke_run(argc, argv);
+    const long count = smoke ? 20 : argc > 1 ? std::strtol(argv[1], nullptr, 10) : 10000;
     if (count < 1) {
         std::fprintf(stderr, "usage: ik_bench [TARGETS]\n");
         return 2;
     }
     praxis::tamp::run(static_cast<std::size_t>(count));
-    praxis::tamp::run_others();
+    praxis::tamp::run_others(smoke ? 20 : 2000);
 }

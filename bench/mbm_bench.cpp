@@ -2,10 +2,12 @@
 // with shortcuts and of certified plans, and how many paths the exact checker refuses at 1/128 rad.
 //
 //     mbm_bench FOLDER [SEEDS] [EVERY] [MODE]
+//     mbm_bench --benchmark_min_time=0.001
 //
 // FOLDER holds panda_spheres.urdf and folders of scene*.yaml and request*.yaml. SEEDS (10): runs of every
 // problem; EVERY (1): only each EVERY-th problem. MODE: only this one, without checks by the exact checker:
-// plan, shortcuts, certified or both (default: all).
+// plan, shortcuts, certified or both (default: all). The second form is for a look whether all this works: it
+// needs no folder and plans a few motions of an arm at a shelf.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,12 +19,15 @@
 #include <string>
 #include <vector>
 
+#include "bench/smoke.hpp"
 #include "parser/files.hpp"
+#include "search/engines/random.hpp"
 #include "tamp/collision/fast_checker.hpp"
 #include "tamp/collision/fcl_checker.hpp"
 #include "tamp/motion/planner.hpp"
 #include "tamp/robots/urdf.hpp"
 #include "tamp/scenes/moveit.hpp"
+#include "tamp/scenes/scene_file.hpp"
 
 namespace {
 
@@ -39,10 +44,18 @@ const std::map<std::string, std::pair<double, double>> kHardLimits = {
 
 struct Problem {
     std::string set;
-    MoveItProblem moveit;
     std::unique_ptr<CollisionChecker> fast;
     std::unique_ptr<CollisionChecker> exact;
     Configuration start;
+    std::vector<Configuration> goals;
+
+    Problem(std::string name, const CollisionProblem& collision, std::vector<Configuration> ends)
+        : set(std::move(name)),
+          fast(make_fast_checker(collision)),
+          exact(make_fcl_checker(collision)),
+          start(collision.robot->extract(collision.robot->groups[static_cast<std::size_t>(collision.group)],
+                                         collision.rest)),
+          goals(std::move(ends)) {}
 };
 
 std::vector<Problem> read_problems(const std::filesystem::path& folder, std::size_t every) {
@@ -61,15 +74,29 @@ std::vector<Problem> read_problems(const std::filesystem::path& folder, std::siz
         MoveItProblem moveit =
             read_moveit_problem(robot, praxis::read_source(scenes[i].string()),
                                 praxis::read_source((scenes[i].parent_path() / request).string()));
-        const CollisionProblem collision = {moveit.robot, moveit.world, moveit.group, moveit.start};
-        Problem problem = {scenes[i].parent_path().filename().string(),
-                           moveit,
-                           make_fast_checker(collision),
-                           make_fcl_checker(collision),
-                           {}};
-        problem.start =
-            moveit.robot->extract(moveit.robot->groups[static_cast<std::size_t>(moveit.group)], moveit.start);
-        problems.push_back(std::move(problem));
+        problems.emplace_back(scenes[i].parent_path().filename().string(),
+                              CollisionProblem{moveit.robot, moveit.world, moveit.group, moveit.start},
+                              std::move(moveit.goals));
+    }
+    return problems;
+}
+
+/// From where a scene starts to configurations drawn at random.
+std::vector<Problem> shelf_problems(std::size_t count) {
+    const Scene scene = read_scene(PRAXIS_SOURCE_DIR "/problems/tamp/blocked-shelf/3/scene.yaml");
+    const int number = scene.robot->find_group("arm");
+    const Group& group = scene.robot->groups[static_cast<std::size_t>(number)];
+    praxis::Random random(1);
+    std::vector<Problem> problems;
+    while (problems.size() < count) {
+        Configuration goal;
+        for (const int variable : group.variables) {
+            const Variable& limits = scene.robot->variables[static_cast<std::size_t>(variable)];
+            goal.push_back(limits.lower + (limits.upper - limits.lower) * 0x1p-53 *
+                                              static_cast<double>(random.next() >> 11));
+        }
+        Problem problem("shelf", {scene.robot, scene.world, number, scene.start}, {std::move(goal)});
+        if (problem.exact->is_free(problem.goals.front())) problems.push_back(std::move(problem));
     }
     return problems;
 }
@@ -122,7 +149,7 @@ void measure(Problem& problem, const Mode& mode, std::uint64_t seed, Tally& tall
     options.shorten = mode.shorten;
     options.certified = mode.certified;
     const double begin = processor_microseconds();
-    const MotionResult result = plan_motion(*problem.fast, problem.start, problem.moveit.goals, options);
+    const MotionResult result = plan_motion(*problem.fast, problem.start, problem.goals, options);
     const double time = processor_microseconds() - begin;
     ++tally.runs;
     if (result.status != MotionStatus::solved) {
@@ -134,24 +161,12 @@ void measure(Problem& problem, const Mode& mode, std::uint64_t seed, Tally& tall
     if (mode.check && refused(*problem.exact, result.path)) ++tally.refused;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::cerr << "usage: mbm_bench FOLDER [SEEDS] [EVERY] [MODE]\n";
-        return 2;
-    }
-    const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10;
-    const std::size_t every = argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 1;
-    std::vector<Problem> problems = read_problems(argv[1], every);
-    std::erase_if(problems, [](Problem& problem) {
-        return !problem.exact->is_free(problem.start) ||
-               !problem.exact->is_free(problem.moveit.goals.front());
-    });
+/// Whether all was solved, and the exact checker refused no certified path.
+bool run(std::vector<Problem>& problems, std::uint64_t seeds, const std::string& only) {
     std::cout << problems.size() << " problems with free start and goal, " << seeds << " seeds\n"
               << "| mode                   | solved    | median  | mean    | p95 us  | length | refused at "
                  "1/128 |\n";
-    const std::string only = argc > 4 ? argv[4] : "";
+    bool good = true;
     for (Mode mode :
          {Mode{"plan", "plan", false, false, false}, Mode{"shortcuts", "plan + shortcuts", true, false, true},
           Mode{"certified", "certified", false, true, true},
@@ -163,5 +178,31 @@ int main(int argc, char** argv) {
             for (Problem& problem : problems) measure(problem, mode, seed, all);
         }
         all.print(mode.title);
+        good = good && all.runs == static_cast<int>(all.times.size()) && !(mode.certified && all.refused > 0);
     }
+    return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (praxis::is_smoke_run(argc, argv)) {
+        std::vector<Problem> problems = shelf_problems(5);
+        return run(problems, 1, "") ? 0 : 1;
+    }
+    if (argc < 2 || argv[1][0] == '-') {
+        std::cerr << "usage: mbm_bench FOLDER [SEEDS] [EVERY] [MODE]\n";
+        return 2;
+    }
+    const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10;
+    const std::size_t every = argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 1;
+    std::vector<Problem> problems = read_problems(argv[1], every);
+    std::erase_if(problems, [](Problem& problem) {
+        return !problem.exact->is_free(problem.start) || !problem.exact->is_free(problem.goals.front());
+    });
+    run(problems, seeds, argc > 4 ? argv[4] : "");
+    return 0;
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
 }

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "bench/smoke.hpp"
 #include "tests/tamp/support/bound_problem.hpp"
 
 namespace {
@@ -78,7 +79,7 @@ void run(const Settings& settings, const std::string& family, int size, std::uin
     write_problem(problem, folder);
     BoundProblem bound(problem, folder);
     std::uint64_t motions = 0;
-    count_motions(bound.library, motions);
+    count_motions(bound.streams.library, motions);
     Budget budget;
     budget.limit_wall_time(settings.limit);
     const auto begin = std::chrono::steady_clock::now();
@@ -143,10 +144,18 @@ Settings parse(int argc, char** argv) {
     return settings;
 }
 
+Settings smoke_run() {
+    Settings settings;
+    settings.selections = {{"hanoi", {2}}};
+    settings.seeds = 1;
+    return settings;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-    const Settings settings = parse(argc, argv);
+    const bool smoke = is_smoke_run(argc, argv);
+    const Settings settings = smoke ? smoke_run() : parse(argc, argv);
     std::printf("%-18s %4s %8s %10s %9s %9s %9s %8s %8s %8s %8s\n", "family", "size", "solved", "infeasible",
                 "wall ms", "p99 ms", "cpu ms", "actions", "motions", "search%", "sample%");
     for (const Selection& selection : settings.selections) {
@@ -162,6 +171,7 @@ int main(int argc, char** argv) try {
                         quantile(tally.actions, 0.5), quantile(tally.motions, 0.5),
                         100 * tally.search / whole, 100 * tally.sample / whole);
             std::fflush(stdout);
+            if (smoke && tally.solved < tally.runs) return 1;
         }
     }
     return 0;

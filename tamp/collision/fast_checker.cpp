@@ -19,7 +19,7 @@ constexpr double kFarthest = 1e4;
 /// Lengths of stretches of a motion (radians and metres): the first, and those where halving ends.
 constexpr double kFirstStretch = 1.0 / 8;
 constexpr double kLastStretch = 1.0 / 8192;
-constexpr double kLastCoveredStretch = 1.0 / 128;
+constexpr double kLastCoveredStretch = 1.0 / 1024;
 
 /// Numbers for eight configurations, as the kernel reads them.
 template <std::size_t size>

@@ -16,9 +16,14 @@ const Functions& functions() {
 #endif
 
 int scratch_size(const Model& model) {
-    int balls = model.part_count;
-    for (int p = 0; p < model.part_count; ++p) balls += model.parts[p].ball_count;
-    return (12 * model.frame_count + 3 * balls) * kLanes;
+    int points = model.part_count;
+    for (int p = 0; p < model.part_count; ++p) {
+        const Part& part = model.parts[p];
+        points += part.cluster_count;
+        for (int c = 0; c < part.cluster_count; ++c)
+            points += model.clusters[part.first_cluster + c].ball_count;
+    }
+    return (12 * model.frame_count + 3 * points) * kLanes;
 }
 
 }  // namespace praxis::tamp::kernel

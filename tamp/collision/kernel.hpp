@@ -4,9 +4,10 @@
 // The model is a flat view of a kinematic tree and of what surrounds it, read at run time (no code is made
 // for a robot). *Frames* are the frames of joints that the group moves, parents first, each turned so that
 // the axis is its z; fixed joints are folded into them. A *part* is a rigid set of balls in one frame: a link
-// or an attached body, with a ball around it. Every part has its own list of the *obstacles* that it may
-// reach and must not touch, by kind, and parts are paired with the parts that they must not touch. Tests of a
-// ball against an obstacle are exact up to rounding; the radii carry the margin for that
+// or an attached body (or several that move together and may touch the same), with a ball around it, and
+// balls around *clusters* of its balls. Every part has its own list of the *obstacles* that it may reach and
+// must not touch, by kind, and parts are paired with the parts that they must not touch. Tests of a ball
+// against an obstacle are exact up to rounding; the radii carry the margin for that
 // (`kernel_model.hpp`).
 //
 // Two sets of functions come from one template (`kernel_template.hpp`): for AVX2 with FMA, and for any
@@ -54,11 +55,18 @@ struct Grid {
     float slack;            ///< above 0: added to that it makes an upper bound, which is wanted
 };
 
-struct Part {
-    int frame;  ///< or -1: the world
+/// Some balls of a part that are close together.
+struct Cluster {
     Ball bound;
     int first_ball;
     int ball_count;
+};
+
+struct Part {
+    int frame;  ///< or -1: the world
+    Ball bound;
+    int first_cluster;
+    int cluster_count;
     int first_obstacle[kObstacleKinds + 1];  ///< those of kind k: from [k] to before [k + 1]
     int first_grid;
     int grid_count;
@@ -76,6 +84,7 @@ struct Model {
     int pair_count;
     const Frame* frames;
     const Part* parts;
+    const Cluster* clusters;
     const Ball* balls;
     const Obstacle* obstacles;
     const Grid* grids;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "tamp/collision/signed_distance.hpp"
@@ -141,6 +142,7 @@ class KernelModelBuilder {
                 "the fast checker takes at most 256 moving links and attached bodies");
         }
         collect_standing();
+        if (change_ == PairChange::moving) merge_pieces();
         model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * extent();
         flatten_pieces();
         flatten_levers();
@@ -262,6 +264,32 @@ class KernelModelBuilder {
         }
     }
 
+    /// Pieces that move together and may touch the same become one.
+    void merge_pieces() {
+        std::vector<Piece> merged;
+        for (Piece& piece : pieces_) {
+            const auto alike =
+                std::ranges::find_if(merged, [&](const Piece& m) { return are_alike(m, piece); });
+            if (alike == merged.end()) {
+                merged.push_back(std::move(piece));
+                continue;
+            }
+            alike->balls.insert(alike->balls.end(), piece.balls.begin(), piece.balls.end());
+            alike->bound = bounding_ball(alike->balls);
+        }
+        pieces_ = std::move(merged);
+    }
+
+    bool are_alike(const Piece& first, const Piece& second) const {
+        if (first.frame != second.frame) return false;
+        const auto same = [&](const auto& other) {
+            return may_touch(first, other.who) == may_touch(second, other.who);
+        };
+        if (!std::ranges::all_of(standing_, same)) return false;
+        return std::ranges::all_of(
+            pieces_, [&](const Piece& other) { return other.frame == first.frame || same(other); });
+    }
+
     /// How far the origin of a frame slides at most.
     double travel(std::size_t frame) const {
         const Joint& joint = *joints_[frame];
@@ -322,19 +350,45 @@ class KernelModelBuilder {
     }
 
     void flatten_pieces() {
-        for (const Piece& piece : pieces_) {
+        for (Piece& piece : pieces_) {
             kernel::Part part = {};
             part.frame = piece.frame;
             part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
-            part.first_ball = static_cast<int>(model_.balls_.size());
-            for (const Ball& ball : piece.balls) {
-                if (sized(ball.radius) > 0) model_.balls_.push_back(flat(ball, sized(ball.radius)));
-            }
-            part.ball_count = static_cast<int>(model_.balls_.size()) - part.first_ball;
+            part.first_cluster = static_cast<int>(model_.clusters_.size());
+            flatten_balls(piece.balls);
+            part.cluster_count = static_cast<int>(model_.clusters_.size()) - part.first_cluster;
             collect_obstacles(piece, part);
             model_.parts_.push_back(part);
             add_levers(piece);
         }
+    }
+
+    /// Halves along the longest side until clusters are small.
+    void flatten_balls(std::span<Ball> balls) {
+        constexpr std::size_t kLargest = 4;
+        if (balls.size() > kLargest) {
+            Vector3 lower = balls.front().center;
+            Vector3 upper = lower;
+            for (const Ball& ball : balls) {
+                lower = lower.cwiseMin(ball.center);
+                upper = upper.cwiseMax(ball.center);
+            }
+            Eigen::Index longest = 0;
+            (upper - lower).maxCoeff(&longest);
+            std::ranges::stable_sort(balls, {}, [&](const Ball& ball) { return ball.center[longest]; });
+            flatten_balls(balls.first(balls.size() / 2));
+            flatten_balls(balls.subspan(balls.size() / 2));
+            return;
+        }
+        kernel::Cluster cluster = {};
+        const Ball bound = bounding_ball(balls);
+        cluster.bound = flat(bound, bound.radius + model_.margin_);
+        cluster.first_ball = static_cast<int>(model_.balls_.size());
+        for (const Ball& ball : balls) {
+            if (sized(ball.radius) > 0) model_.balls_.push_back(flat(ball, sized(ball.radius)));
+        }
+        cluster.ball_count = static_cast<int>(model_.balls_.size()) - cluster.first_ball;
+        model_.clusters_.push_back(cluster);
     }
 
     bool may_touch(const Piece& piece, const Participant& other) const {
@@ -489,6 +543,7 @@ kernel::Model KernelModel::view() const {
             .pair_count = static_cast<int>(pairs_.size()),
             .frames = frames_.data(),
             .parts = parts_.data(),
+            .clusters = clusters_.data(),
             .balls = balls_.data(),
             .obstacles = obstacles_.data(),
             .grids = grids_.data(),

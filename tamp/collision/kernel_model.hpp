@@ -55,6 +55,7 @@ class KernelModel {
     double margin_ = 0;
     std::vector<kernel::Frame> frames_;
     std::vector<kernel::Part> parts_;
+    std::vector<kernel::Cluster> clusters_;
     std::vector<kernel::Ball> balls_;
     std::vector<kernel::Obstacle> obstacles_;
     std::vector<kernel::Grid> grids_;

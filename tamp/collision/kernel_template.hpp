@@ -219,48 +219,67 @@ struct Cells {
 class Block {
   public:
     Block(const Model& model, float* scratch)
-        : model_(model),
-          placements_(scratch),
-          bounds_(scratch + model.frame_count * kPlacementFloats),
-          centers_(bounds_ + model.part_count * kBallFloats) {}
+        : model_(model), placements_(scratch), bounds_(scratch + model.frame_count * kPlacementFloats) {
+        int clusters = 0;
+        for (int p = 0; p < model.part_count; ++p) clusters += model.parts[p].cluster_count;
+        clusters_ = bounds_ + model.part_count * kBallFloats;
+        balls_ = clusters_ + clusters * kBallFloats;
+    }
 
-    void place(const float* positions) {
-        place_frames(model_, positions, placements_);
-        for (int p = 0; p < model_.part_count; ++p) {
-            store(at(model_.parts[p], model_.parts[p].bound.center), bounds_ + p * kBallFloats);
-            placed_[p] = false;
-        }
+    void place(const float* positions) { place_frames(model_, positions, placements_); }
+
+    void place_bound(int p) {
+        store(at(model_.parts[p].frame, model_.parts[p].bound), bounds_ + p * kBallFloats);
+        clusters_placed_[p] = false;
     }
 
     const Model& model() const { return model_; }
-    const Part& part(int p) const { return model_.parts[p]; }
     Point bound(int p) const { return load(bounds_ + p * kBallFloats); }
-    float bound_radius(int p) const { return part(p).bound.radius; }
-    Point center(int ball) const { return load(centers_ + ball * kBallFloats); }
+    float bound_radius(int p) const { return model_.parts[p].bound.radius; }
+    Point cluster_bound(int c) const { return load(clusters_ + c * kBallFloats); }
+    float cluster_radius(int c) const { return model_.clusters[c].bound.radius; }
+    Point center(int ball) const { return load(balls_ + ball * kBallFloats); }
     float radius(int ball) const { return model_.balls[ball].radius; }
-    int first_ball(int p) const { return part(p).first_ball; }
-    int last_ball(int p) const { return part(p).first_ball + part(p).ball_count; }
 
-    void place_balls(int p) {
-        if (placed_[p]) return;
-        placed_[p] = true;
-        for (int ball = first_ball(p); ball < last_ball(p); ++ball) {
-            store(at(part(p), model_.balls[ball].center), centers_ + ball * kBallFloats);
+    int first_cluster(int p) const { return model_.parts[p].first_cluster; }
+    int end_cluster(int p) const { return first_cluster(p) + model_.parts[p].cluster_count; }
+    int first_ball(int c) const { return model_.clusters[c].first_ball; }
+    int end_ball(int c) const { return first_ball(c) + model_.clusters[c].ball_count; }
+
+    void place_clusters(int p) {
+        if (clusters_placed_[p]) return;
+        clusters_placed_[p] = true;
+        for (int c = first_cluster(p); c < end_cluster(p); ++c) {
+            store(at(model_.parts[p].frame, model_.clusters[c].bound), clusters_ + c * kBallFloats);
+            balls_placed_[c % kFlags] = -1;
+        }
+    }
+
+    void place_balls(int p, int c) {
+        if (balls_placed_[c % kFlags] == c) return;
+        balls_placed_[c % kFlags] = c;
+        for (int ball = first_ball(c); ball < end_ball(c); ++ball) {
+            store(at(model_.parts[p].frame, model_.balls[ball]), balls_ + ball * kBallFloats);
         }
     }
 
   private:
-    Point at(const Part& part, const float* point) const {
-        if (part.frame < 0) return constant(point[0], point[1], point[2]);
-        const Placement p = load_placement(placements_ + part.frame * kPlacementFloats);
+    static constexpr int kFlags = 256;
+
+    Point at(int frame, const Ball& ball) const {
+        const float* point = ball.center;
+        if (frame < 0) return constant(point[0], point[1], point[2]);
+        const Placement p = load_placement(placements_ + frame * kPlacementFloats);
         return combine(p, point[0], point[1], point[2]) + p.position;
     }
 
     const Model& model_;
     float* placements_;
     float* bounds_;
-    float* centers_;
-    bool placed_[kMaxParts] = {};
+    float* clusters_;
+    float* balls_;
+    bool clusters_placed_[kMaxParts];
+    int balls_placed_[kFlags];  ///< which cluster, of those that share the flag
 };
 
 /// How a test goes on when balls touch. Radii are those of the model plus `growth` of the part.
@@ -291,10 +310,33 @@ template <class Mode, class Other>
 inline bool part_touches(Block& block, int p, const Other& other, Mode& mode) {
     if (bridged(other.gap(block.bound(p)), other.reach(mode.grown(p, block.bound_radius(p)))) == 0)
         return false;
-    block.place_balls(p);
-    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
-        const Lanes radius = mode.grown(p, block.radius(ball));
-        if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
+    block.place_clusters(p);
+    for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
+        const Lanes bound = mode.grown(p, block.cluster_radius(c));
+        if (bridged(other.gap(block.cluster_bound(c)), other.reach(bound)) == 0) continue;
+        block.place_balls(p, c);
+        for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
+            const Lanes radius = mode.grown(p, block.radius(ball));
+            if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
+        }
+    }
+    return false;
+}
+
+template <class Mode>
+inline bool clusters_touch(Block& block, const PartPair& pair, int c, int d, Mode& mode) {
+    block.place_balls(pair.first, c);
+    block.place_balls(pair.second, d);
+    const Point bound = block.cluster_bound(d);
+    const Lanes bound_radius = mode.grown(pair.second, block.cluster_radius(d));
+    for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
+        const Point center = block.center(ball);
+        const Lanes radius = mode.grown(pair.first, block.radius(ball));
+        if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
+        for (int other = block.first_ball(d); other < block.end_ball(d); ++other) {
+            const Lanes reach = radius + mode.grown(pair.second, block.radius(other));
+            if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
+        }
     }
     return false;
 }
@@ -308,15 +350,16 @@ inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
     if (bridged(squared(block.bound(p) - bound), mode.grown(p, block.bound_radius(p)) + bound_radius) == 0) {
         return false;
     }
-    block.place_balls(p);
-    block.place_balls(q);
-    for (int ball = block.first_ball(p); ball < block.last_ball(p); ++ball) {
-        const Point center = block.center(ball);
-        const Lanes radius = mode.grown(p, block.radius(ball));
+    block.place_clusters(p);
+    block.place_clusters(q);
+    for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
+        const Point center = block.cluster_bound(c);
+        const Lanes radius = mode.grown(p, block.cluster_radius(c));
         if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
-        for (int other = block.first_ball(q); other < block.last_ball(q); ++other) {
-            const Lanes reach = radius + mode.grown(q, block.radius(other));
-            if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
+        for (int d = block.first_cluster(q); d < block.end_cluster(q); ++d) {
+            const Lanes reach = radius + mode.grown(q, block.cluster_radius(d));
+            if (bridged(squared(center - block.cluster_bound(d)), reach) == 0) continue;
+            if (clusters_touch(block, pair, c, d, mode)) return true;
         }
     }
     return false;
@@ -344,6 +387,7 @@ template <class Mode>
 inline unsigned examine(Block& block, Mode mode) {
     const Model& model = block.model();
     for (int p = 0; p < model.part_count; ++p) {
+        block.place_bound(p);
         const bool done = for_obstacles<0>(
             model, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
         if (done) return mode.hit;

@@ -11,6 +11,9 @@ namespace praxis::tamp {
 
 namespace {
 
+/// How exactly the hand is brought to a body, metres and radians: far below what the validator lets pass.
+constexpr double kHandTolerance = 1e-7;
+
 int require_group(const Robot& robot, const std::string& name) {
     const int group = robot.find_group(name);
     if (group < 0) throw std::invalid_argument("robot '" + robot.name + "' has no group '" + name + "'");
@@ -127,6 +130,7 @@ Pose ManipulatorModel::to_solver(const Configuration& configuration) const {
 std::optional<Configuration> ManipulatorModel::reach(const Configuration& configuration, const Pose& target,
                                                      std::uint64_t number) const {
     IkOptions asked;
+    asked.position_tolerance = asked.rotation_tolerance = kHandTolerance;
     if (number == 0) asked.start = robot->extract(group(arm), configuration);
     asked.seed = options.seed + number;
     IkResult found = ik_.solve(to_solver(configuration) * target, asked);

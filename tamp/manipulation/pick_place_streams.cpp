@@ -15,10 +15,10 @@ class PickPlace {
         : scene_(std::move(scene)),
           manipulator_(std::move(manipulator)),
           standing_(fixed_part(scene_->world)) {
-        for (const BodyState& body : scene_->world.bodies()) {
-            grasps_.push_back(body.model->movable
-                                  ? make_grasps(*body.model, manipulator_->effector(), scene_->grasps)
-                                  : std::vector<Grasp>());
+        for (int i = 0; i < static_cast<int>(scene_->world.size()); ++i) {
+            const BodyModel& body = *scene_->world[i].model;
+            grasps_.push_back(body.movable ? make_grasps(body, manipulator_->effector(), grasp_options(i))
+                                           : std::vector<Grasp>());
         }
     }
 
@@ -67,6 +67,18 @@ class PickPlace {
             if (world[i].model->movable) movable_.push_back(i);
         }
         return BodyChecker(std::make_shared<const World>(world));
+    }
+
+    GraspOptions grasp_options(int body) const {
+        GraspOptions options = scene_->grasps;
+        const auto kinds = scene_->grasp_kinds.find(body);
+        if (kinds == scene_->grasp_kinds.end()) return options;
+        const auto has = [&](GraspKind kind) {
+            return std::ranges::find(kinds->second, kind) != kinds->second.end();
+        };
+        options.top = options.top && has(GraspKind::top);
+        options.side = options.side && has(GraspKind::side);
+        return options;
     }
 
     int body(const Value& value) const {

@@ -27,6 +27,7 @@ struct PickPlaceScene {
     std::map<std::string, int, std::less<>> bodies = {};  ///< by name in PDDL
     std::map<std::string, Area, std::less<>> areas = {};  ///< by name in PDDL (regions)
     GraspOptions grasps = {};
+    std::map<int, std::vector<GraspKind>> grasp_kinds = {};  ///< by body; not there: all of `grasps`
     PlacementOptions placements = {};
 };
 

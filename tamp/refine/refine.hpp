@@ -72,8 +72,17 @@ struct RefinedStep {
     std::vector<Value> arguments;  ///< named by object or placeholder
 };
 
+/// What a stream has made, or found to hold, of values that a plan rests on.
+struct StreamFact {
+    StreamId stream;
+    std::vector<Value> inputs;
+    std::vector<Value> outputs;
+};
+
 struct RefinedPlan {
     std::vector<RefinedStep> steps;
+    /// All that the conditions of the steps need; `validate/refinement_validator.hpp` checks that it is.
+    std::vector<StreamFact> facts;
     double cost = 0;  ///< by the task's metric, with the real values of the functions
 
     /// "(pick a #g1 #q2)": step i.

@@ -210,6 +210,20 @@ void Refiner::report(const SymbolicTask& task, const Skeleton& skeleton, const S
         for (const std::uint32_t slot : skeleton.arguments[s])
             step.arguments.push_back(samples_.value(outcome.values[slot]));
     }
+    std::vector<ValueNumber> values;
+    for (const auto& slots : skeleton.arguments)
+        for (const std::uint32_t slot : slots) values.push_back(outcome.values[slot]);
+    for (const SkeletonNode& node : skeleton.nodes) {
+        for (const std::uint32_t slot : node.inputs) values.push_back(outcome.values[slot]);
+        if (problem_.task->streams[node.stream.index()].fluents.empty()) continue;
+        StreamFact& fact = plan.facts.emplace_back();
+        fact.stream = node.stream;
+        for (const std::uint32_t slot : node.inputs)
+            fact.inputs.push_back(samples_.value(outcome.values[slot]));
+        for (const std::uint32_t slot : node.outputs)
+            fact.outputs.push_back(samples_.value(outcome.values[slot]));
+    }
+    samples_.add_facts(std::move(values), plan.facts);
     plan.cost = plan_cost(*problem_.task, skeleton, samples_, outcome.values);
     result_.plan = std::move(plan);
 }

@@ -218,6 +218,51 @@ std::vector<Attempt> Samples::attempts() const {
     return result;
 }
 
+void Samples::add_facts(std::vector<ValueNumber> values, std::vector<StreamFact>& facts) const {
+    struct Source {
+        const Tuple* key = nullptr;
+        const SampleList* list = nullptr;
+        std::size_t first = 0;  ///< of its outputs in the list
+    };
+    std::vector<bool> used(values_.size(), false);
+    std::vector<Source> makers(values_.size());
+    std::vector<Source> tests;
+    for (const auto& [key, list] : lists_) {
+        const StreamSchema& schema = problem_.task->streams[key.front()];
+        if (!schema.fluents.empty() || list.count == 0) continue;
+        if (schema.output_count() == 0) tests.push_back({&key, &list, 0});
+        for (std::size_t i = 0; i < list.outputs.size(); ++i)
+            makers[list.outputs[i]] = {&key, &list, i - i % schema.output_count()};
+    }
+    std::vector<Source> sources;
+    while (!values.empty()) {
+        const ValueNumber value = values.back();
+        values.pop_back();
+        if (used[value]) continue;
+        used[value] = true;
+        const Source& maker = makers[value];
+        if (maker.key == nullptr) continue;
+        values.insert(values.end(), maker.key->begin() + 1, maker.key->end());
+        const std::size_t count = problem_.task->streams[maker.key->front()].output_count();
+        const auto outputs = std::span(maker.list->outputs).subspan(maker.first, count);
+        if (std::ranges::none_of(outputs,
+                                 [&](ValueNumber output) { return output != value && used[output]; }))
+            sources.push_back(maker);
+    }
+    std::ranges::sort(tests, {}, [](const Source& test) { return *test.key; });
+    for (const Source& test : tests)
+        if (std::all_of(test.key->begin() + 1, test.key->end(), [&](ValueNumber v) { return used[v]; }))
+            sources.push_back(test);
+    for (const Source& source : sources) {
+        StreamFact& fact = facts.emplace_back();
+        fact.stream = StreamId(source.key->front());
+        for (std::size_t i = 1; i < source.key->size(); ++i) fact.inputs.push_back(values_[(*source.key)[i]]);
+        const std::size_t count = problem_.task->streams[fact.stream.index()].output_count();
+        for (std::size_t i = 0; i < count; ++i)
+            fact.outputs.push_back(values_[source.list->outputs[source.first + i]]);
+    }
+}
+
 std::string Samples::describe(StreamId stream, std::span<const Value> inputs) const {
     std::string text = "stream '" + problem_.task->streams[stream.index()].name + "' of (";
     for (std::size_t i = 0; i < inputs.size(); ++i) text += (i > 0 ? " " : "") + inputs[i].name();

@@ -62,6 +62,8 @@ class Samples {
     double lower_bound(std::size_t function) const { return functions_[function]->lower_bound; }
 
     std::vector<Attempt> attempts() const;
+    /// Adds what streams without fluents have said of these values and of those that they were made of.
+    void add_facts(std::vector<ValueNumber> values, std::vector<StreamFact>& facts) const;
     /// What the calls have cost so far, by `StreamInfo::effort`, in microseconds.
     double effort() const { return effort_; }
 

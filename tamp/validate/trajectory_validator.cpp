@@ -232,8 +232,10 @@ class Execution {
         const int link = robot_->find_link(hold.link);
         if (link < 0) refuse("there is no link '" + hold.link + "'", time_);
         const Pose in_link = pose_from_numbers(hold.pose);
-        if (distance(link_pose(*robot_, positions_, link) * in_link, state.pose) > check_.tolerance) {
-            refuse("body '" + hold.body + "' is not where the hand takes it", time_);
+        const double gap = distance(link_pose(*robot_, positions_, link) * in_link, state.pose);
+        if (gap > check_.tolerance) {
+            refuse("body '" + hold.body + "' is not where the hand takes it, but " + number(gap) + " away",
+                   time_);
         }
         Attachment attachment{.link = link, .in_link = in_link};
         for (const EndEffector& effector : robot_->end_effectors) {
@@ -248,8 +250,9 @@ class Execution {
         if (!state.attachment) refuse("body '" + stand.body + "' is not held", time_);
         const Pose pose = pose_from_numbers(stand.pose);
         const Pose held = link_pose(*robot_, positions_, state.attachment->link) * state.attachment->in_link;
-        if (distance(held, pose) > check_.tolerance) {
-            refuse("body '" + stand.body + "' is not where the hand lets it go", time_);
+        if (const double gap = distance(held, pose); gap > check_.tolerance) {
+            refuse("body '" + stand.body + "' is not where the hand lets it go, but " + number(gap) + " away",
+                   time_);
         }
         world_ = std::make_shared<World>(world_->with_pose(body, pose));
         if (!is_supported(body)) refuse("body '" + stand.body + "' is let go in the air", time_);

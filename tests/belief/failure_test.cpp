@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "belief/agent.hpp"
@@ -118,6 +119,80 @@ TEST(Failure, TheGoalIsNotReachedAsLongAsItIsInDoubt) {
     EXPECT_FALSE(test.belief.goal_known());
     test.belief.refuse(test.action("(put b)"));
     EXPECT_TRUE(test.belief.goal_known());
+}
+
+/// The button (`press`) starts the motor, or it has failed; what `act` does may depend on that.
+Carrying pressed(const std::string& act, const std::string& init = "", const std::string& more = "") {
+    Carrying test(propositional("(on) (moved) (live) (lit) (dark)",
+                                "(:action press :effect (on))\n(:action act " + act + ")\n" + more, init,
+                                "(moved)"));
+    test.belief.fail(test.action("(press)"));
+    return test;
+}
+
+TEST(Failure, AnEffectThatDependsOnADoubtIsInDoubt) {
+    const std::map<std::string, bool> conditions = {
+        {"(on)", true}, {"(live)", true}, {"(not (live))", false}};
+    for (const auto& [condition, when_on] : conditions) {
+        for (const bool on : {false, true}) {
+            Carrying test = pressed(":effect (when " + condition + " (moved))", "", "(:derived (live) (on))");
+            EXPECT_EQ(test("(live)"), Truth::unknown);
+            test.belief.act(test.action("(act)"));
+            EXPECT_EQ(test("(moved)"), Truth::unknown) << condition;
+            EXPECT_TRUE(test.belief.learn({fact_of(*test.task, "(on)").variable, on ? 0 : 1}));
+            EXPECT_EQ(test("(moved)"), on == when_on ? Truth::known_true : Truth::known_false) << condition;
+            EXPECT_FALSE(test.belief.in_doubt(fact_of(*test.task, "(moved)").variable));
+        }
+    }
+}
+
+TEST(Failure, AnUncertainEffectThatDependsOnADoubtIsNotKnown) {
+    Carrying test = pressed(":effect (when (on) (moved))", "(unknown (moved))");
+    EXPECT_TRUE(test.belief.learn({fact_of(*test.task, "(moved)").variable, 1}));
+    EXPECT_EQ(test("(moved)"), Truth::known_false);
+    test.belief.act(test.action("(act)"));
+    EXPECT_EQ(test("(moved)"), Truth::unknown);
+    EXPECT_TRUE(test.belief.learn(fact_of(*test.task, "(moved)")));
+    EXPECT_EQ(test("(on)"), Truth::known_true);
+}
+
+TEST(Failure, CasesAreThoseOfAllHypotheses) {
+    for (const bool fails : {false, true}) {
+        Carrying test = pressed(":effect (when (and (on) (lit)) (moved))", "(oneof (lit) (dark))");
+        const Fact moved = fact_of(*test.task, "(moved)");
+        ASSERT_TRUE(test.compilation->tracked(moved.variable));
+        EXPECT_EQ(test.belief.truth(moved), Truth::known_false);
+        if (fails)
+            test.belief.fail(test.action("(act)"));
+        else
+            test.belief.act(test.action("(act)"));
+        EXPECT_EQ(test.belief.truth(moved), Truth::unknown);
+        EXPECT_TRUE(test.belief.learn(moved));
+        EXPECT_EQ(test("(lit)"), Truth::known_true);
+        EXPECT_EQ(test("(dark)"), Truth::known_false);
+    }
+}
+
+TEST(Failure, HypothesesAreJudgedByWhatWasKnownBeforeTheAction) {
+    // `act` ends what makes it possible; `lit` is tracked, since `burn` depends on it.
+    Carrying test = pressed(":precondition (and (lit) (not (on))) :effect (and (not (lit)) (moved))",
+                            "(unknown (lit))", "(:action burn :effect (when (lit) (dark)))");
+    const Fact lit = fact_of(*test.task, "(lit)");
+    ASSERT_TRUE(test.compilation->tracked(lit.variable));
+    EXPECT_TRUE(test.belief.learn(lit));
+    test.belief.act(test.action("(act)"));
+    EXPECT_EQ(test("(on)"), Truth::known_false);
+    EXPECT_EQ(test("(lit)"), Truth::known_false);
+}
+
+TEST(Failure, ARefusalTellsByDerivedAtoms) {
+    Carrying test = pressed(":precondition (not (live)) :effect (moved)", "",
+                            "(:derived (live) (on)) (:action burn :effect (dark))");
+    test.belief.fail(test.action("(burn)"));
+    ASSERT_TRUE(test.belief.can(test.action("(act)")));
+    EXPECT_TRUE(test.belief.refuse(test.action("(act)")));
+    EXPECT_EQ(test("(on)"), Truth::known_true);
+    EXPECT_EQ(test("(dark)"), Truth::unknown);
 }
 
 /// Every action fails once; `happens` says whether it does its work all the same.
@@ -242,11 +317,11 @@ INSTANTIATE_TEST_SUITE_P(Tasks, Unreliable,
                                          "cup-pick-place/two-cups", "cup-removal/three-cups"));
 
 /// What is known holds, whatever fails on the way.
-RC_GTEST_PROP(FailureProperties, WhatIsKnownIsTrue, ()) {
+void known_is_true(const Constructs& constructs) {
     const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>());
     std::shared_ptr<const BeliefTask> task;
     try {
-        task = ground(random_contingent(seed, {.derived_in_effects = false}));
+        task = ground(random_contingent(seed, constructs));
     } catch (const InputError&) {
         return;
     }
@@ -283,6 +358,14 @@ RC_GTEST_PROP(FailureProperties, WhatIsKnownIsTrue, ()) {
             RC_ASSERT(known == BeliefTask::kUnknown || known == world.state()[v]);
         }
     }
+}
+
+RC_GTEST_PROP(FailureProperties, WhatIsKnownIsTrue, ()) {
+    known_is_true({});
+}
+
+RC_GTEST_PROP(FailureProperties, WhatIsKnownIsTrueWithModels, ()) {
+    known_is_true({.derived = false, .models = true});
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+#include "tamp/solve/solve.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "parser/files.hpp"
+#include "search/thread_time.hpp"
+#include "tamp/manipulation/join_motions.hpp"
+#include "tamp/manipulation/manipulator_model.hpp"
+#include "tamp/report/describe.hpp"
+#include "tamp/report/document_names.hpp"
+#include "tamp/scenes/scene_file.hpp"
+#include "tamp/solve/describe_values.hpp"
+#include "tamp/validate/refinement_validator.hpp"
+
+namespace praxis::tamp {
+namespace {
+
+/// The rest of the attempts is counted only.
+constexpr std::size_t kMostAttempts = 100;
+
+/// A failure of a skill is a picture; of other streams only words are known.
+TrajectoryDocument::Attempt describe(const Attempt& attempt, const Robot& robot, const World& first) {
+    TrajectoryDocument::Attempt result;
+    const ActionFailure* failure = attempt.picture.get_if<ActionFailure>();
+    if (failure != nullptr && failure->world != nullptr)
+        result = describe_attempt(robot, first, *failure->world, failure->configuration, failure->contacts);
+    result.action = attempt.action;
+    result.stream = attempt.stream;
+    result.reason = static_cast<TrajectoryDocument::Reason>(attempt.reason);
+    result.message = attempt.message;
+    result.count = static_cast<int>(std::min<std::uint64_t>(attempt.count, 1'000'000'000));
+    return result;
+}
+
+class Solver {
+  public:
+    Solver(const SceneProblem& problem, const SolveOptions& options, const Budget& budget,
+           const SolveCallbacks& callbacks)
+        : problem_(problem), options_(options), budget_(budget), callbacks_(callbacks) {}
+
+    Solution run() {
+        const SceneOptions options = scene_options(problem_.scene);
+        in_phase("bind", [&] { bound_ = bind_scene(problem_.task, problem_.scene, options); });
+        if (callbacks_.bind) callbacks_.bind(bound_.library, problem_.scene);
+        in_phase("refine", [&] { refine(); });
+        Refinement& refinement = solution_.refinement;
+        if (refinement.plan) {
+            std::vector<ScheduledAction> actions;
+            in_phase("join", [&] { actions = join(*refinement.plan); });
+            in_phase("schedule", [&] {
+                solution_.document =
+                    schedule(*bound_.manipulator, *problem_.scene.world, actions, options_.schedule);
+                solution_.document.values = describe_values(*refinement.plan);
+            });
+            if (options_.validate) in_phase("validate", [&] { validate(*refinement.plan); });
+        } else {
+            solution_.document = begin_document(bound_.manipulator->robot(), *problem_.scene.world,
+                                                bound_.manipulator->model().home);
+        }
+        add_attempts();
+        add_statistics();
+        return std::move(solution_);
+    }
+
+  private:
+    template <class Work>
+    void in_phase(const char* name, Work&& work) {
+        if (callbacks_.on_phase) callbacks_.on_phase(name);
+        const double start = thread_seconds();
+        work();
+        solution_.phases.push_back({name, thread_seconds() - start});
+    }
+
+    void refine() {
+        solution_.refinement = tamp::refine({.task = &problem_.task,
+                                             .library = &bound_.library,
+                                             .values = bound_.values,
+                                             .options = options_.refine},
+                                            budget_, {.on_progress = callbacks_.on_progress});
+    }
+
+    /// What every step does: its argument that is a motion; steps without one move nothing.
+    std::vector<ScheduledAction> join(const RefinedPlan& plan) const {
+        std::vector<ActionMotion> motions;
+        std::vector<ScheduledAction> actions;
+        for (const RefinedStep& step : plan.steps) {
+            ScheduledAction& action = actions.emplace_back();
+            action.name = step.name;
+            ActionMotion& motion = motions.emplace_back();
+            for (const Value& argument : step.arguments) {
+                action.arguments.push_back(argument.name());
+                if (const ActionMotion* own = argument.get_if<ActionMotion>()) motion = *own;
+            }
+        }
+        if (options_.join)
+            motions = join_motions(*bound_.manipulator, *problem_.scene.world, std::move(motions), budget_);
+        for (std::size_t i = 0; i < actions.size(); ++i) actions[i].motion = std::move(motions[i]);
+        return actions;
+    }
+
+    void validate(const RefinedPlan& plan) {
+        const RefinementVerdict symbolic =
+            validate_refinement(problem_.task, plan, problem_.scene, solution_.document);
+        if (!symbolic.valid) throw InvalidSolution("the plan is not valid: " + symbolic.reason);
+        const TrajectoryVerdict motion =
+            validate_trajectory(solution_.document, *problem_.scene.robot, *problem_.scene.world,
+                                problem_.scene.start, options_.check);
+        solution_.checked = motion.checked;
+        if (motion.valid) return;
+        std::string where;
+        if (motion.segment >= 0) {
+            const TrajectoryDocument::Segment& segment =
+                solution_.document.segments[static_cast<std::size_t>(motion.segment)];
+            where = " (" + name_of(segment.kind) + " of " +
+                    plan.action(static_cast<std::size_t>(segment.action)) + ")";
+        }
+        throw InvalidSolution("the motion is not valid at " + std::to_string(motion.time) + " s" + where +
+                              ": " + motion.reason);
+    }
+
+    void add_attempts() {
+        for (const Attempt& attempt : solution_.refinement.attempts) {
+            if (solution_.document.attempts.size() == kMostAttempts) return;
+            solution_.document.attempts.push_back(
+                describe(attempt, bound_.manipulator->robot(), *problem_.scene.world));
+        }
+    }
+
+    void add_statistics() {
+        const RefineStatistics& statistics = solution_.refinement.statistics;
+        std::map<std::string, double>& numbers = solution_.document.statistics;
+        const auto add = [&](const char* name, auto value) { numbers[name] = static_cast<double>(value); };
+        add("searches", statistics.searches);
+        add("evaluated states", statistics.evaluated);
+        add("skeletons", statistics.skeletons);
+        add("stream calls", statistics.stream_calls);
+        add("samples", statistics.samples);
+        add("nogoods", statistics.nogoods);
+        add("checked configurations", solution_.checked);
+        for (const SolvePhase& phase : solution_.phases) numbers[phase.name + " seconds"] = phase.seconds;
+    }
+
+    const SceneProblem& problem_;
+    const SolveOptions& options_;
+    const Budget& budget_;
+    const SolveCallbacks& callbacks_;
+    BoundScene bound_;
+    Solution solution_;
+};
+
+}  // namespace
+
+SceneProblem load_scene_problem(const std::string& domain_file, const std::string& problem_file,
+                                const std::string& stream_file, const std::string& scene_file) {
+    std::string streams = stream_file;
+    if (streams.empty()) {
+        const std::filesystem::path beside =
+            std::filesystem::path(domain_file).parent_path() / "streams.pddl";
+        std::error_code error;
+        if (domain_file == "-" || !std::filesystem::exists(beside, error))
+            fail_unplaced("there is no " + beside.string() +
+                          " beside the domain: name the stream file with --streams FILE");
+        streams = beside.string();
+    }
+    StreamLoadResult loaded = load_streams_with_warnings(domain_file, problem_file, streams);
+    return {std::move(loaded.task), read_scene(scene_file), std::move(loaded.warnings)};
+}
+
+Solution solve(const SceneProblem& problem, const SolveOptions& options, const Budget& budget,
+               const SolveCallbacks& callbacks) {
+    return Solver(problem, options, budget, callbacks).run();
+}
+
+}  // namespace praxis::tamp
