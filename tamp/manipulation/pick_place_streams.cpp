@@ -111,6 +111,7 @@ class PickPlace {
         ActionFailure& failure = result.failure;
         Blame blame{.reason = static_cast<Reason>(failure.reason),
                     .message = failure.message,
+                    .each = failure.each,
                     .definite = failure.definite};
         for (const int at_fault : failure.bodies) {
             for (std::uint32_t i = 0; i < call.fluents.size(); ++i) {
