@@ -34,15 +34,26 @@ struct Frame {
     float offset;
     float rotation[9];  ///< row by row: of this frame at position 0 in its parent
     float translation[3];
+    int by_quarters;  ///< rotation by quarter turns: axis i is, in the parent, sign[i] times axis source[i]
+    int source[3];
+    float sign[3];
 };
 
-/// By what is cheapest to test. `upright` means: local z is the world's z.
-enum ObstacleKind { sphere, upright_box, box, upright_cylinder, cylinder, capsule, kObstacleKinds };
+/// `upright` means: local z is the world's z.
+enum ObstacleKind { sphere, upright_box, box, upright_cylinder, cylinder, capsule };
 
 struct Obstacle {
+    ObstacleKind kind;
     float center[3];
     float axes[9];  ///< row i: local axis i in the world
     float size[3];  ///< box: half sides; others: radius, half length
+};
+
+/// Boxes along the world's axes around eight obstacles; where there is none the box is turned inside out, so
+/// that it meets nothing. Aligned to 32 bytes.
+struct alignas(32) ObstacleBoxes {
+    float lower[3][kLanes];
+    float upper[3][kLanes];
 };
 
 /// Distances to what is occupied, by cells; outside of the box nothing is.
@@ -67,7 +78,8 @@ struct Part {
     Ball bound;
     int first_cluster;
     int cluster_count;
-    int first_obstacle[kObstacleKinds + 1];  ///< those of kind k: from [k] to before [k + 1]
+    int first_boxes;  ///< block of obstacles; obstacle i of block b is number 8 b + i
+    int boxes_count;
     int first_grid;
     int grid_count;
 };
@@ -81,12 +93,14 @@ struct Model {
     int variable_count;
     int frame_count;
     int part_count;
+    int cluster_count;
     int pair_count;
     const Frame* frames;
     const Part* parts;
     const Cluster* clusters;
     const Ball* balls;
     const Obstacle* obstacles;
+    const ObstacleBoxes* boxes;
     const Grid* grids;
     const PartPair* pairs;
     /// For each variable of the group, and then for each part (padded to `lever_stride`): at least the metres

@@ -103,9 +103,18 @@ inline void place_frames(const Model& model, const float* positions, float* plac
             p = {constant(r[0], r[3], r[6]), constant(r[1], r[4], r[7]), constant(r[2], r[5], r[8]),
                  constant(t[0], t[1], t[2])};
         } else {
-            const Placement parent = load_placement(placements + frame.parent * kPlacementFloats);
-            p = {combine(parent, r[0], r[3], r[6]), combine(parent, r[1], r[4], r[7]),
-                 combine(parent, r[2], r[5], r[8]), combine(parent, t[0], t[1], t[2]) + parent.position};
+            const float* at = placements + frame.parent * kPlacementFloats;
+            const Placement parent = load_placement(at);
+            p.position = combine(parent, t[0], t[1], t[2]) + parent.position;
+            if (frame.by_quarters != 0) {
+                p.x = scaled(load(at + frame.source[0] * 3 * kLanes), frame.sign[0]);
+                p.y = scaled(load(at + frame.source[1] * 3 * kLanes), frame.sign[1]);
+                p.z = scaled(load(at + frame.source[2] * 3 * kLanes), frame.sign[2]);
+            } else {
+                p.x = combine(parent, r[0], r[3], r[6]);
+                p.y = combine(parent, r[1], r[4], r[7]);
+                p.z = combine(parent, r[2], r[5], r[8]);
+            }
         }
         const Lanes q =
             multiply_add(Lanes::load(positions + frame.variable * kLanes), frame.multiplier, frame.offset);
@@ -220,10 +229,8 @@ class Block {
   public:
     Block(const Model& model, float* scratch)
         : model_(model), placements_(scratch), bounds_(scratch + model.frame_count * kPlacementFloats) {
-        int clusters = 0;
-        for (int p = 0; p < model.part_count; ++p) clusters += model.parts[p].cluster_count;
         clusters_ = bounds_ + model.part_count * kBallFloats;
-        balls_ = clusters_ + clusters * kBallFloats;
+        balls_ = clusters_ + model.cluster_count * kBallFloats;
     }
 
     void place(const float* positions) { place_frames(model_, positions, placements_); }
@@ -365,21 +372,64 @@ inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
     return false;
 }
 
+/// Calls `test` with an obstacle.
+template <class Test>
+inline bool with_solid(const Obstacle& obstacle, const Test& test) {
+    switch (obstacle.kind) {
+        case sphere:
+            return test(Solid<sphere>{obstacle});
+        case upright_box:
+            return test(Solid<upright_box>{obstacle});
+        case box:
+            return test(Solid<box>{obstacle});
+        case upright_cylinder:
+            return test(Solid<upright_cylinder>{obstacle});
+        case cylinder:
+            return test(Solid<cylinder>{obstacle});
+        case capsule:
+            return test(Solid<capsule>{obstacle});
+    }
+    return false;
+}
+
+/// Around eight balls.
+struct Box {
+    Lanes lower[3];
+    Lanes upper[3];
+
+    Box(const Point& center, const Lanes& radius)
+        : lower{lowest(center.x - radius), lowest(center.y - radius), lowest(center.z - radius)},
+          upper{highest(center.x + radius), highest(center.y + radius), highest(center.z + radius)} {}
+};
+
+/// Bit i: the box meets that around obstacle i of the block.
+inline unsigned meeting(const ObstacleBoxes& boxes, const Box& box) {
+    unsigned apart = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Lanes gap =
+            maximum(Lanes::load(boxes.lower[i]) - box.upper[i], box.lower[i] - Lanes::load(boxes.upper[i]));
+        apart |= ~not_greater(gap, 0.0F);
+    }
+    return ~apart & ((1U << kLanes) - 1);
+}
+
 /// Calls `test(obstacle)` for all obstacles and grids that a part may touch, until one returns true.
-template <int kind, class Test>
-inline bool for_obstacles(const Model& model, int p, const Test& test) {
+template <class Mode, class Test>
+inline bool for_obstacles(const Block& block, int p, const Mode& mode, const Test& test) {
+    const Model& model = block.model();
     const Part& part = model.parts[p];
-    for (int o = part.first_obstacle[kind]; o < part.first_obstacle[kind + 1]; ++o) {
-        if (test(Solid<kind>{model.obstacles[o]})) return true;
-    }
-    if constexpr (kind + 1 < kObstacleKinds) {
-        return for_obstacles<kind + 1>(model, p, test);
-    } else {
-        for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
-            if (test(Cells{model.grids[g]})) return true;
+    if (part.boxes_count > 0) {
+        const Box box(block.bound(p), mode.grown(p, block.bound_radius(p)));
+        for (int b = part.first_boxes; b < part.first_boxes + part.boxes_count; ++b) {
+            for (unsigned left = meeting(model.boxes[b], box); left != 0; left &= left - 1) {
+                if (with_solid(model.obstacles[kLanes * b + __builtin_ctz(left)], test)) return true;
+            }
         }
-        return false;
     }
+    for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
+        if (test(Cells{model.grids[g]})) return true;
+    }
+    return false;
 }
 
 /// All tests of a block.
@@ -388,8 +438,8 @@ inline unsigned examine(Block& block, Mode mode) {
     const Model& model = block.model();
     for (int p = 0; p < model.part_count; ++p) {
         block.place_bound(p);
-        const bool done = for_obstacles<0>(
-            model, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
+        const bool done = for_obstacles(
+            block, p, mode, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
         if (done) return mode.hit;
     }
     for (int i = 0; i < model.pair_count; ++i) {
@@ -435,17 +485,15 @@ unsigned swept_collisions(const Model& model, const float* from, const float* ch
 bool motion_free(const Model& model, const float* from, const float* change, int rakes, bool with_start,
                  float* scratch) {
     alignas(32) float positions[kMaxVariables * kLanes];
-    alignas(32) float places[kLanes];
     const int first = with_start ? 0 : 1;
     const float step = 1.0F / static_cast<float>(kLanes * rakes - 1 + first);
     Block block(model, scratch);
     for (int i = 0, turns = rake_turns(rakes); i < turns; ++i) {
         const int rake = rake_at(i, rakes);
         if (rake < 0) continue;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            places[lane] = static_cast<float>(lane * rakes + rake + first) * step;
-        }
-        interpolate(model, from, change, Lanes::load(places), positions);
+        const Lanes places = multiply_add(Lanes::ascending(), static_cast<float>(rakes) * step,
+                                          static_cast<float>(rake + first) * step);
+        interpolate(model, from, change, places, positions);
         block.place(positions);
         if (examine(block, Any()) != 0) return false;
     }
