@@ -163,6 +163,7 @@ class KernelModelBuilder {
         model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * farthest();
         flatten_pieces();
         flatten_levers();
+        flatten_turns();
         pair_pieces();
     }
 
@@ -374,6 +375,7 @@ class KernelModelBuilder {
             kernel::Part part = {};
             part.frame = piece.frame;
             part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
+            part.spread = spread(piece);
             part.first_cluster = static_cast<int>(model_.clusters_.size());
             flatten_balls(piece.balls);
             part.cluster_count = static_cast<int>(model_.clusters_.size()) - part.first_cluster;
@@ -381,6 +383,14 @@ class KernelModelBuilder {
             model_.parts_.push_back(part);
             add_levers(piece);
         }
+    }
+
+    float spread(const Piece& piece) const {
+        double farthest = 0;
+        for (const Ball& ball : piece.balls) {
+            farthest = std::max(farthest, (ball.center - piece.bound.center).norm());
+        }
+        return static_cast<float>(farthest + model_.margin_);
     }
 
     /// Halves along the longest side until clusters are small.
@@ -511,13 +521,41 @@ class KernelModelBuilder {
             const kernel::Frame& flat_frame = model_.frames_[at];
             const double multiplier = std::abs(joints_[at]->multiplier);
             levers[static_cast<std::size_t>(flat_frame.variable)] +=
-                multiplier * (flat_frame.prismatic != 0 ? 1 : across);
+                multiplier * (flat_frame.prismatic == 0      ? across
+                              : is_turned(flat_frame.parent) ? 2
+                                                             : 1);
             const double slide = travel(at);
             across = translations_[at].head<2>().norm() + slide + beyond;
             beyond = translations_[at].norm() + slide + beyond;
             frame = flat_frame.parent;
         }
         levers_.push_back(std::move(levers));
+    }
+
+    /// Whether a variable turns the frame.
+    bool is_turned(int frame) const {
+        for (; frame >= 0; frame = model_.frames_[static_cast<std::size_t>(frame)].parent) {
+            if (model_.frames_[static_cast<std::size_t>(frame)].prismatic == 0) return true;
+        }
+        return false;
+    }
+
+    /// By each variable, along the chain of frames that it turns most.
+    void flatten_turns() {
+        const std::size_t variables = group_.variables.size();
+        model_.turns_.assign(variables, 0.0F);
+        std::vector<float> turns(model_.frames_.size() * variables, 0.0F);
+        for (std::size_t f = 0; f < model_.frames_.size(); ++f) {
+            const kernel::Frame& frame = model_.frames_[f];
+            const std::size_t parent = static_cast<std::size_t>(std::max(frame.parent, 0));
+            for (std::size_t v = 0; v < variables; ++v) {
+                float& turn = turns[f * variables + v];
+                if (frame.parent >= 0) turn = turns[parent * variables + v];
+                if (frame.prismatic == 0 && frame.variable == static_cast<int>(v))
+                    turn += std::abs(frame.multiplier);
+                model_.turns_[v] = std::max(model_.turns_[v], turn * 1.00001F);
+            }
+        }
     }
 
     void flatten_levers() {
@@ -583,7 +621,8 @@ kernel::Model KernelModel::view() const {
             .boxes = boxes_.data(),
             .grids = grids_.data(),
             .pairs = pairs_.data(),
-            .levers = levers_.empty() ? nullptr : levers_.front().lever.data()};
+            .levers = levers_.empty() ? nullptr : levers_.front().lever.data(),
+            .turns = turns_.data()};
 }
 
 }  // namespace praxis::tamp

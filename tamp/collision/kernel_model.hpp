@@ -63,6 +63,7 @@ class KernelModel {
     std::vector<std::shared_ptr<const DistanceGrid>> distances_;  ///< that the grids point to
     std::vector<kernel::PartPair> pairs_;
     std::vector<LeverBlock> levers_;
+    std::vector<float> turns_;
 };
 
 }  // namespace praxis::tamp

@@ -23,6 +23,7 @@ struct Placement {
 
 constexpr int kPlacementFloats = 12 * kLanes;
 constexpr int kBallFloats = 3 * kLanes;
+constexpr int kVelocityFloats = 6 * kLanes;
 
 inline Point load(const float* from) {
     return {Lanes::load(from), Lanes::load(from + kLanes), Lanes::load(from + 2 * kLanes)};
@@ -132,6 +133,45 @@ inline void place_frames(const Model& model, const float* positions, float* plac
     }
 }
 
+inline Point cross(const Point& a, const Point& b) {
+    return {multiply_subtract(a.z, b.y, a.y * b.z), multiply_subtract(a.x, b.z, a.z * b.x),
+            multiply_subtract(a.y, b.x, a.x * b.y)};
+}
+
+/// How a frame turns, and how its origin moves, for a unit of a segment.
+struct Velocity {
+    Point turn;
+    Point origin;
+};
+
+inline Velocity load_velocity(const float* from) {
+    return {load(from), load(from + 3 * kLanes)};
+}
+
+/// Of all frames, whose placements are given.
+inline void place_velocities(const Model& model, const float* change, const float* placements,
+                             float* velocities) {
+    for (int f = 0; f < model.frame_count; ++f) {
+        const Frame& frame = model.frames[f];
+        const Point axis = load(placements + f * kPlacementFloats + 6 * kLanes);
+        const Point origin = load(placements + f * kPlacementFloats + 9 * kLanes);
+        Velocity velocity = {constant(0, 0, 0), constant(0, 0, 0)};
+        if (frame.parent >= 0) {
+            velocity = load_velocity(velocities + frame.parent * kVelocityFloats);
+            const Point parent = load(placements + frame.parent * kPlacementFloats + 9 * kLanes);
+            velocity.origin = velocity.origin + cross(velocity.turn, origin - parent);
+        }
+        const Point added = scaled(axis, frame.multiplier * change[frame.variable]);
+        if (frame.prismatic != 0) {
+            velocity.origin = velocity.origin + added;
+        } else {
+            velocity.turn = velocity.turn + added;
+        }
+        store(velocity.turn, velocities + f * kVelocityFloats);
+        store(velocity.origin, velocities + f * kVelocityFloats + 3 * kLanes);
+    }
+}
+
 inline Point local(const Obstacle& obstacle, const Point& d) {
     const float* a = obstacle.axes;
     return {combine(a[0], d.x, a[1], d.y, a[2], d.z), combine(a[3], d.x, a[4], d.y, a[5], d.z),
@@ -231,16 +271,36 @@ class Block {
         : model_(model), placements_(scratch), bounds_(scratch + model.frame_count * kPlacementFloats) {
         clusters_ = bounds_ + model.part_count * kBallFloats;
         balls_ = clusters_ + model.cluster_count * kBallFloats;
+        int balls = 0;
+        for (int c = 0; c < model.cluster_count; ++c) balls += model.clusters[c].ball_count;
+        velocities_ = balls_ + balls * kBallFloats;
+        growths_ = velocities_ + model.frame_count * kVelocityFloats;
     }
 
     void place(const float* positions) { place_frames(model_, positions, placements_); }
+
+    void place_moving(const float* positions, const float* change) {
+        place(positions);
+        place_velocities(model_, change, placements_, velocities_);
+    }
 
     void place_bound(int p) {
         store(at(model_.parts[p].frame, model_.parts[p].bound), bounds_ + p * kBallFloats);
         clusters_placed_[p] = false;
     }
 
+    /// The speed of the ball of a part that moves fastest, at most.
+    Lanes speed(int p) const {
+        const Part& part = model_.parts[p];
+        if (part.frame < 0) return 0.0F;
+        const Velocity v = load_velocity(velocities_ + part.frame * kVelocityFloats);
+        const Point origin = load(placements_ + part.frame * kPlacementFloats + 9 * kLanes);
+        const Point center = v.origin + cross(v.turn, bound(p) - origin);
+        return multiply_add(root(squared(v.turn)), part.spread, root(squared(center)));
+    }
+
     const Model& model() const { return model_; }
+    float* growth(int p) const { return growths_ + p * kLanes; }
     Point bound(int p) const { return load(bounds_ + p * kBallFloats); }
     float bound_radius(int p) const { return model_.parts[p].bound.radius; }
     Point cluster_bound(int c) const { return load(clusters_ + c * kBallFloats); }
@@ -285,45 +345,59 @@ class Block {
     float* bounds_;
     float* clusters_;
     float* balls_;
+    float* velocities_;
+    float* growths_;
     bool clusters_placed_[kMaxParts];
     int balls_placed_[kFlags];  ///< which cluster, of those that share the flag
 };
 
-/// How a test goes on when balls touch. Radii are those of the model plus `growth` of the part.
+/// How a test goes on when balls touch. Before anything is asked of a part, `enter` is told of it; radii are
+/// those of the model plus how much the part has grown.
 ///
-/// Any: the first touch ends all work. Every: all lanes are wanted.
+/// Any: the first touch ends all work. Every: all lanes are wanted. EverySwept: of stretches of a segment.
 struct Any {
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) != 0; }
-    static Lanes grown(int, float radius) { return radius; }
+    static void enter(const Block&, int) {}
+    static Lanes grown(const Block&, int, float radius) { return radius; }
 };
 
 struct Every {
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
-    static Lanes grown(int, float radius) { return radius; }
+    static void enter(const Block&, int) {}
+    static Lanes grown(const Block&, int, float radius) { return radius; }
 };
 
 struct EverySwept {
-    const float* speeds;
+    const float* sweeps;
+    float turn;
     Lanes width;
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
-    Lanes grown(int part, float radius) const { return multiply_add(speeds[part], width, radius); }
+    void enter(const Block& block, int p) const {
+        constexpr float kRounding = 1e-5F;
+        const Lanes bend = multiply_add(width, 0.5F * turn, kRounding);
+        const Lanes speed = multiply_add(bend, sweeps[p], block.speed(p));
+        (minimum(speed, sweeps[p]) * width).store(block.growth(p));
+    }
+    static Lanes grown(const Block& block, int p, float radius) {
+        return Lanes::load(block.growth(p)) + Lanes(radius);
+    }
 };
 
 /// True: the work is done.
 template <class Mode, class Other>
 inline bool part_touches(Block& block, int p, const Other& other, Mode& mode) {
-    if (bridged(other.gap(block.bound(p)), other.reach(mode.grown(p, block.bound_radius(p)))) == 0)
+    if (bridged(other.gap(block.bound(p)), other.reach(Mode::grown(block, p, block.bound_radius(p)))) == 0)
         return false;
     block.place_clusters(p);
     for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
-        const Lanes bound = mode.grown(p, block.cluster_radius(c));
+        const Lanes bound = Mode::grown(block, p, block.cluster_radius(c));
         if (bridged(other.gap(block.cluster_bound(c)), other.reach(bound)) == 0) continue;
         block.place_balls(p, c);
         for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
-            const Lanes radius = mode.grown(p, block.radius(ball));
+            const Lanes radius = Mode::grown(block, p, block.radius(ball));
             if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
         }
     }
@@ -335,13 +409,13 @@ inline bool clusters_touch(Block& block, const PartPair& pair, int c, int d, Mod
     block.place_balls(pair.first, c);
     block.place_balls(pair.second, d);
     const Point bound = block.cluster_bound(d);
-    const Lanes bound_radius = mode.grown(pair.second, block.cluster_radius(d));
+    const Lanes bound_radius = Mode::grown(block, pair.second, block.cluster_radius(d));
     for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
         const Point center = block.center(ball);
-        const Lanes radius = mode.grown(pair.first, block.radius(ball));
+        const Lanes radius = Mode::grown(block, pair.first, block.radius(ball));
         if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
         for (int other = block.first_ball(d); other < block.end_ball(d); ++other) {
-            const Lanes reach = radius + mode.grown(pair.second, block.radius(other));
+            const Lanes reach = radius + Mode::grown(block, pair.second, block.radius(other));
             if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
         }
     }
@@ -353,18 +427,19 @@ inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
     const int p = pair.first;
     const int q = pair.second;
     const Point bound = block.bound(q);
-    const Lanes bound_radius = mode.grown(q, block.bound_radius(q));
-    if (bridged(squared(block.bound(p) - bound), mode.grown(p, block.bound_radius(p)) + bound_radius) == 0) {
+    const Lanes bound_radius = Mode::grown(block, q, block.bound_radius(q));
+    if (bridged(squared(block.bound(p) - bound),
+                Mode::grown(block, p, block.bound_radius(p)) + bound_radius) == 0) {
         return false;
     }
     block.place_clusters(p);
     block.place_clusters(q);
     for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
         const Point center = block.cluster_bound(c);
-        const Lanes radius = mode.grown(p, block.cluster_radius(c));
+        const Lanes radius = Mode::grown(block, p, block.cluster_radius(c));
         if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
         for (int d = block.first_cluster(q); d < block.end_cluster(q); ++d) {
-            const Lanes reach = radius + mode.grown(q, block.cluster_radius(d));
+            const Lanes reach = radius + Mode::grown(block, q, block.cluster_radius(d));
             if (bridged(squared(center - block.cluster_bound(d)), reach) == 0) continue;
             if (clusters_touch(block, pair, c, d, mode)) return true;
         }
@@ -415,11 +490,11 @@ inline unsigned meeting(const ObstacleBoxes& boxes, const Box& box) {
 
 /// Calls `test(obstacle)` for all obstacles and grids that a part may touch, until one returns true.
 template <class Mode, class Test>
-inline bool for_obstacles(const Block& block, int p, const Mode& mode, const Test& test) {
+inline bool for_obstacles(const Block& block, int p, const Test& test) {
     const Model& model = block.model();
     const Part& part = model.parts[p];
     if (part.boxes_count > 0) {
-        const Box box(block.bound(p), mode.grown(p, block.bound_radius(p)));
+        const Box box(block.bound(p), Mode::grown(block, p, block.bound_radius(p)));
         for (int b = part.first_boxes; b < part.first_boxes + part.boxes_count; ++b) {
             for (unsigned left = meeting(model.boxes[b], box); left != 0; left &= left - 1) {
                 if (with_solid(model.obstacles[kLanes * b + __builtin_ctz(left)], test)) return true;
@@ -438,8 +513,9 @@ inline unsigned examine(Block& block, Mode mode) {
     const Model& model = block.model();
     for (int p = 0; p < model.part_count; ++p) {
         block.place_bound(p);
-        const bool done = for_obstacles(
-            block, p, mode, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
+        mode.enter(block, p);
+        const bool done = for_obstacles<Mode>(
+            block, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
         if (done) return mode.hit;
     }
     for (int i = 0; i < model.pair_count; ++i) {
@@ -456,7 +532,7 @@ inline void interpolate(const Model& model, const float* from, const float* chan
     }
 }
 
-void speeds(const Model& model, const float* change, float* result) {
+float sweeps(const Model& model, const float* change, float* result) {
     for (int p = 0; p < model.part_count; p += kLanes) {
         Lanes sum = 0.0F;
         for (int v = 0; v < model.variable_count; ++v) {
@@ -465,6 +541,11 @@ void speeds(const Model& model, const float* change, float* result) {
         }
         sum.store(result + p);
     }
+    float turn = 0;
+    for (int v = 0; v < model.variable_count; ++v) {
+        turn += model.turns[v] * (change[v] < 0 ? -change[v] : change[v]);
+    }
+    return turn;
 }
 
 unsigned collisions(const Model& model, const float* positions, float* scratch) {
@@ -474,12 +555,12 @@ unsigned collisions(const Model& model, const float* positions, float* scratch) 
 }
 
 unsigned swept_collisions(const Model& model, const float* from, const float* change, const float* t,
-                          const float* width, const float* part_speeds, float* scratch) {
+                          const float* width, const float* part_sweeps, float turn, float* scratch) {
     alignas(32) float positions[kMaxVariables * kLanes];
     interpolate(model, from, change, Lanes::load(t), positions);
     Block block(model, scratch);
-    block.place(positions);
-    return examine(block, EverySwept{part_speeds, Lanes::load(width)});
+    block.place_moving(positions, change);
+    return examine(block, EverySwept{part_sweeps, turn, Lanes::load(width)});
 }
 
 bool motion_free(const Model& model, const float* from, const float* change, int rakes, bool with_start,
