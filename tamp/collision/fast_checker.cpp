@@ -148,7 +148,7 @@ class FastChecker final : public CollisionChecker {
     bool is_motion_certified(std::span<const double> from, std::span<const double> to) override {
         const Segment segment = make_segment(from, to);
         if (!fixed_contacts_.empty()) return false;
-        kernel::functions().speeds(outer_.view, segment.change.data(), speeds_.v.data());
+        turn_ = kernel::functions().sweeps(outer_.view, segment.change.data(), sweeps_.v.data());
         const int first = std::max(1, static_cast<int>(std::ceil(segment.length / kFirstStretch)));
         const float width = 0.5F / static_cast<float>(first);
         open_.clear();
@@ -275,7 +275,7 @@ class FastChecker final : public CollisionChecker {
         open_.resize(open_.size() - count);
         const unsigned unproved = kernel::functions().swept_collisions(
             outer_.view, segment.from.data(), segment.change.data(), t.v.data(), width.v.data(),
-            speeds_.v.data(), outer_.scratch.get());
+            sweeps_.v.data(), turn_, outer_.scratch.get());
         unsigned last_ones = 0;
         for (std::size_t lane = 0; lane < count; ++lane) {
             if ((unproved >> lane & 1U) == 0) continue;
@@ -299,7 +299,8 @@ class FastChecker final : public CollisionChecker {
     std::vector<bool> turning_;
     Side outer_;
     std::optional<Side> inner_ = {};
-    Aligned<kernel::kMaxParts> speeds_ = {};
+    Aligned<kernel::kMaxParts> sweeps_ = {};  ///< of the segment that is being certified
+    float turn_ = 0;
     std::vector<Stretch> open_ = {};
     Configuration point_ = {};
     std::unique_ptr<CollisionChecker> exact_ = {};

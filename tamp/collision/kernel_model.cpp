@@ -10,6 +10,7 @@
 
 #include "tamp/collision/signed_distance.hpp"
 #include "tamp/geometry/cover.hpp"
+#include "tamp/geometry/extent.hpp"
 #include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
@@ -36,6 +37,7 @@ struct Standing {
     Participant who = {};
     Pose pose = Pose::Identity();
     const Shape* shape = nullptr;
+    AxisBox box = {};  ///< around a primitive, in the world
 };
 
 struct PlacedLink {
@@ -46,6 +48,12 @@ struct PlacedLink {
 bool all_spheres(const std::vector<PlacedShape>& shapes) {
     return std::ranges::all_of(shapes,
                                [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
+}
+
+/// Not a mesh or a map.
+bool is_primitive(const Shape& shape) {
+    return !std::holds_alternative<std::shared_ptr<const Mesh>>(shape) &&
+           !std::holds_alternative<std::shared_ptr<const OccupancyMap>>(shape);
 }
 
 double depth(const std::vector<PlacedShape>& shapes, const Vector3& point) {
@@ -75,47 +83,56 @@ kernel::Ball flat(const Ball& ball, double radius) {
     return result;
 }
 
-struct FlatObstacle {
-    kernel::ObstacleKind kind = kernel::sphere;
-    kernel::Obstacle obstacle = {};
-};
-
 /// The primitive as the kernel sees it; none for meshes and maps.
 struct Flatten {
     bool upright = false;
 
-    std::optional<FlatObstacle> operator()(const Sphere& s) const {
-        return make(kernel::sphere, {s.radius, 0, 0});
-    }
-    std::optional<FlatObstacle> operator()(const Box& b) const {
+    using Result = std::optional<kernel::Obstacle>;
+    Result operator()(const Sphere& s) const { return make(kernel::sphere, {s.radius, 0, 0}); }
+    Result operator()(const Box& b) const {
         return make(upright ? kernel::upright_box : kernel::box, b.size / 2);
     }
-    std::optional<FlatObstacle> operator()(const Cylinder& c) const {
+    Result operator()(const Cylinder& c) const {
         return make(upright ? kernel::upright_cylinder : kernel::cylinder, {c.radius, c.length / 2, 0});
     }
-    std::optional<FlatObstacle> operator()(const Capsule& c) const {
-        return make(kernel::capsule, {c.radius, c.length / 2, 0});
-    }
-    std::optional<FlatObstacle> operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
-    std::optional<FlatObstacle> operator()(const std::shared_ptr<const OccupancyMap>&) const {
-        return std::nullopt;
-    }
+    Result operator()(const Capsule& c) const { return make(kernel::capsule, {c.radius, c.length / 2, 0}); }
+    Result operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
+    Result operator()(const std::shared_ptr<const OccupancyMap>&) const { return std::nullopt; }
 
-    static FlatObstacle make(kernel::ObstacleKind kind, const Vector3& size) {
-        FlatObstacle result = {.kind = kind};
-        copy(size, result.obstacle.size);
+    static kernel::Obstacle make(kernel::ObstacleKind kind, const Vector3& size) {
+        kernel::Obstacle result = {};
+        result.kind = kind;
+        copy(size, result.size);
         return result;
     }
 };
 
-std::optional<FlatObstacle> flatten_at(const Shape& shape, const Pose& pose) {
+std::optional<kernel::Obstacle> flatten_at(const Shape& shape, const Pose& pose) {
     const bool upright =
         std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
-    std::optional<FlatObstacle> result = std::visit(Flatten{upright}, shape);
+    std::optional<kernel::Obstacle> result = std::visit(Flatten{upright}, shape);
     if (!result) return result;
-    copy(pose.translation(), result->obstacle.center);
-    copy_rows(pose.linear().transpose(), result->obstacle.axes);
+    copy(pose.translation(), result->center);
+    copy_rows(pose.linear().transpose(), result->axes);
     return result;
+}
+
+/// Rotations by quarter turns cost the kernel next to nothing. Robot descriptions round their angles.
+void note_quarters(kernel::Frame& frame) {
+    constexpr float kRounding = 1e-8F;
+    for (int column = 0; column < 3; ++column) {
+        int ones = 0;
+        for (int row = 0; row < 3; ++row) {
+            const float x = frame.rotation[3 * row + column];
+            if (std::abs(x) < kRounding) continue;
+            if (std::abs(std::abs(x) - 1) > kRounding) return;
+            frame.source[column] = row;
+            frame.sign[column] = std::copysign(1.0F, x);
+            ++ones;
+        }
+        if (ones != 1) return;
+    }
+    frame.by_quarters = 1;
 }
 
 }  // namespace
@@ -143,9 +160,10 @@ class KernelModelBuilder {
         }
         collect_standing();
         if (change_ == PairChange::moving) merge_pieces();
-        model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * extent();
+        model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * farthest();
         flatten_pieces();
         flatten_levers();
+        flatten_turns();
         pair_pieces();
     }
 
@@ -189,6 +207,7 @@ class KernelModelBuilder {
         frame.offset = static_cast<float>(joint.offset);
         copy_rows(at.pose.linear() * turn, frame.rotation);
         copy(at.pose.translation(), frame.translation);
+        note_quarters(frame);
         model_.frames_.push_back(frame);
         joints_.push_back(&joint);
         translations_.push_back(at.pose.translation());
@@ -241,7 +260,8 @@ class KernelModelBuilder {
 
     void add_standing(Participant who, const Pose& pose, const std::vector<PlacedShape>& shapes) {
         for (const PlacedShape& placed : shapes)
-            standing_.push_back({who, pose * placed.pose, &placed.shape});
+            standing_.push_back({who, pose * placed.pose, &placed.shape,
+                                 is_primitive(placed.shape) ? extent(placed, pose) : AxisBox{}});
     }
 
     void collect_standing() {
@@ -326,7 +346,8 @@ class KernelModelBuilder {
         }
     }
 
-    double extent() const {
+    /// How far anything that can matter is from the world's origin.
+    double farthest() const {
         double farthest = 0;
         for (const Piece& piece : pieces_) {
             if (piece.frame < 0) {
@@ -354,6 +375,7 @@ class KernelModelBuilder {
             kernel::Part part = {};
             part.frame = piece.frame;
             part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
+            part.spread = spread(piece);
             part.first_cluster = static_cast<int>(model_.clusters_.size());
             flatten_balls(piece.balls);
             part.cluster_count = static_cast<int>(model_.clusters_.size()) - part.first_cluster;
@@ -361,6 +383,14 @@ class KernelModelBuilder {
             model_.parts_.push_back(part);
             add_levers(piece);
         }
+    }
+
+    float spread(const Piece& piece) const {
+        double farthest = 0;
+        for (const Ball& ball : piece.balls) {
+            farthest = std::max(farthest, (ball.center - piece.bound.center).norm());
+        }
+        return static_cast<float>(farthest + model_.margin_);
     }
 
     /// Halves along the longest side until clusters are small.
@@ -418,27 +448,40 @@ class KernelModelBuilder {
     }
 
     void collect_obstacles(const Piece& piece, kernel::Part& part) {
-        std::array<std::vector<kernel::Obstacle>, kernel::kObstacleKinds> by_kind;
         std::vector<kernel::Grid> grids;
+        part.first_boxes = static_cast<int>(model_.boxes_.size());
+        std::size_t count = 0;
         if (change_ == PairChange::moving || piece.frame < 0) {
             for (const Standing& standing : standing_) {
                 if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
-                if (const auto flattened = flatten_at(*standing.shape, standing.pose)) {
-                    by_kind[flattened->kind].push_back(flattened->obstacle);
+                if (const auto obstacle = flatten_at(*standing.shape, standing.pose)) {
+                    add_obstacle(*obstacle, standing, count++ % kernel::kLanes);
                 } else {
                     grids.push_back(grid_of(standing));
                 }
             }
         }
-        for (int kind = 0; kind < kernel::kObstacleKinds; ++kind) {
-            part.first_obstacle[kind] = static_cast<int>(model_.obstacles_.size());
-            const std::vector<kernel::Obstacle>& some = by_kind[static_cast<std::size_t>(kind)];
-            model_.obstacles_.insert(model_.obstacles_.end(), some.begin(), some.end());
-        }
-        part.first_obstacle[kernel::kObstacleKinds] = static_cast<int>(model_.obstacles_.size());
+        part.boxes_count = static_cast<int>(model_.boxes_.size()) - part.first_boxes;
         part.first_grid = static_cast<int>(model_.grids_.size());
         part.grid_count = static_cast<int>(grids.size());
         model_.grids_.insert(model_.grids_.end(), grids.begin(), grids.end());
+    }
+
+    void add_obstacle(const kernel::Obstacle& obstacle, const Standing& standing, std::size_t lane) {
+        constexpr float kNowhere = 1e30F;
+        if (lane == 0) {
+            model_.obstacles_.resize(model_.obstacles_.size() + kernel::kLanes);
+            kernel::ObstacleBoxes& boxes = model_.boxes_.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i) {
+                std::ranges::fill(boxes.lower[i], kNowhere);
+                std::ranges::fill(boxes.upper[i], -kNowhere);
+            }
+        }
+        model_.obstacles_[model_.obstacles_.size() - kernel::kLanes + lane] = obstacle;
+        for (int i = 0; i < 3; ++i) {
+            model_.boxes_.back().lower[i][lane] = static_cast<float>(standing.box.lower[i] - model_.margin_);
+            model_.boxes_.back().upper[i][lane] = static_cast<float>(standing.box.upper[i] + model_.margin_);
+        }
     }
 
     kernel::Grid grid_of(const Standing& standing) {
@@ -478,13 +521,41 @@ class KernelModelBuilder {
             const kernel::Frame& flat_frame = model_.frames_[at];
             const double multiplier = std::abs(joints_[at]->multiplier);
             levers[static_cast<std::size_t>(flat_frame.variable)] +=
-                multiplier * (flat_frame.prismatic != 0 ? 1 : across);
+                multiplier * (flat_frame.prismatic == 0      ? across
+                              : is_turned(flat_frame.parent) ? 2
+                                                             : 1);
             const double slide = travel(at);
             across = translations_[at].head<2>().norm() + slide + beyond;
             beyond = translations_[at].norm() + slide + beyond;
             frame = flat_frame.parent;
         }
         levers_.push_back(std::move(levers));
+    }
+
+    /// Whether a variable turns the frame.
+    bool is_turned(int frame) const {
+        for (; frame >= 0; frame = model_.frames_[static_cast<std::size_t>(frame)].parent) {
+            if (model_.frames_[static_cast<std::size_t>(frame)].prismatic == 0) return true;
+        }
+        return false;
+    }
+
+    /// By each variable, along the chain of frames that it turns most.
+    void flatten_turns() {
+        const std::size_t variables = group_.variables.size();
+        model_.turns_.assign(variables, 0.0F);
+        std::vector<float> turns(model_.frames_.size() * variables, 0.0F);
+        for (std::size_t f = 0; f < model_.frames_.size(); ++f) {
+            const kernel::Frame& frame = model_.frames_[f];
+            const std::size_t parent = static_cast<std::size_t>(std::max(frame.parent, 0));
+            for (std::size_t v = 0; v < variables; ++v) {
+                float& turn = turns[f * variables + v];
+                if (frame.parent >= 0) turn = turns[parent * variables + v];
+                if (frame.prismatic == 0 && frame.variable == static_cast<int>(v))
+                    turn += std::abs(frame.multiplier);
+                model_.turns_[v] = std::max(model_.turns_[v], turn * 1.00001F);
+            }
+        }
     }
 
     void flatten_levers() {
@@ -540,15 +611,18 @@ kernel::Model KernelModel::view() const {
     return {.variable_count = variable_count_,
             .frame_count = static_cast<int>(frames_.size()),
             .part_count = static_cast<int>(parts_.size()),
+            .cluster_count = static_cast<int>(clusters_.size()),
             .pair_count = static_cast<int>(pairs_.size()),
             .frames = frames_.data(),
             .parts = parts_.data(),
             .clusters = clusters_.data(),
             .balls = balls_.data(),
             .obstacles = obstacles_.data(),
+            .boxes = boxes_.data(),
             .grids = grids_.data(),
             .pairs = pairs_.data(),
-            .levers = levers_.empty() ? nullptr : levers_.front().lever.data()};
+            .levers = levers_.empty() ? nullptr : levers_.front().lever.data(),
+            .turns = turns_.data()};
 }
 
 }  // namespace praxis::tamp

@@ -57,11 +57,13 @@ class KernelModel {
     std::vector<kernel::Part> parts_;
     std::vector<kernel::Cluster> clusters_;
     std::vector<kernel::Ball> balls_;
-    std::vector<kernel::Obstacle> obstacles_;
+    std::vector<kernel::Obstacle> obstacles_;  ///< by part, in blocks of eight
+    std::vector<kernel::ObstacleBoxes> boxes_;
     std::vector<kernel::Grid> grids_;
     std::vector<std::shared_ptr<const DistanceGrid>> distances_;  ///< that the grids point to
     std::vector<kernel::PartPair> pairs_;
     std::vector<LeverBlock> levers_;
+    std::vector<float> turns_;
 };
 
 }  // namespace praxis::tamp
