@@ -26,10 +26,12 @@ constexpr double kReachPadding = 0.01;
 struct Piece {
     Participant who = {};
     int carrier = 0;  ///< the link itself, or the one that a body is attached to
-    int frame = -1;
+    int frame = 0;
     std::vector<Ball> balls = {};  ///< in the frame
+    std::vector<BallClusters::Cluster> clusters = {};
     Ball bound = {};
-    const std::vector<int>* touching = nullptr;
+    Ball range = {};     ///< where the centres of its balls can get
+    double largest = 0;  ///< radius of a ball
 };
 
 /// Something that stands still.
@@ -45,23 +47,10 @@ struct PlacedLink {
     Pose pose = Pose::Identity();  ///< in the frame
 };
 
-bool all_spheres(const std::vector<PlacedShape>& shapes) {
-    return std::ranges::all_of(shapes,
-                               [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
-}
-
 /// Not a mesh or a map.
 bool is_primitive(const Shape& shape) {
     return !std::holds_alternative<std::shared_ptr<const Mesh>>(shape) &&
            !std::holds_alternative<std::shared_ptr<const OccupancyMap>>(shape);
-}
-
-double depth(const std::vector<PlacedShape>& shapes, const Vector3& point) {
-    double deepest = 0;
-    for (const PlacedShape& placed : shapes) {
-        deepest = std::max(deepest, -signed_distance(placed.shape, placed.pose.inverse() * point));
-    }
-    return deepest;
 }
 
 Eigen::Matrix3d turn_z_to(const Vector3& axis) {
@@ -139,14 +128,13 @@ void note_quarters(kernel::Frame& frame) {
 
 class KernelModelBuilder {
   public:
-    KernelModelBuilder(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache,
-                       KernelModel& model)
-        : robot_(*problem.robot),
+    KernelModelBuilder(const CollisionProblem& problem, BallSide side, SolidCache& cache, KernelModel& model)
+        : clusters_(cache.clusters(problem.robot)),
+          robot_(*problem.robot),
           world_(*problem.world),
           group_(robot_.groups[static_cast<std::size_t>(problem.group)]),
           rest_(problem.rest),
           side_(side),
-          change_(change),
           cache_(cache),
           model_(model) {}
 
@@ -159,7 +147,8 @@ class KernelModelBuilder {
                 "the fast checker takes at most 256 moving links and attached bodies");
         }
         collect_standing();
-        if (change_ == PairChange::moving) merge_pieces();
+        merge_pieces();
+        for (Piece& piece : pieces_) measure(piece);
         model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * farthest();
         flatten_pieces();
         flatten_levers();
@@ -213,48 +202,39 @@ class KernelModelBuilder {
         translations_.push_back(at.pose.translation());
     }
 
-    void add_piece(Participant who, int carrier, const Pose& in_link, const std::vector<PlacedShape>& shapes,
-                   const std::vector<Ball>& balls, const std::vector<int>* touching,
-                   const std::string& name) {
-        if (shapes.empty() && balls.empty()) return;
+    void add_piece(Participant who, int carrier, const Pose& in_link, const BallClusters& clusters,
+                   bool has_cover, const std::string& name) {
+        if (!clusters.exact && !has_cover)
+            throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
+        model_.exact_ = model_.exact_ && clusters.exact;
+        if (clusters.balls.empty()) return;
         const PlacedLink& link = links_[static_cast<std::size_t>(carrier)];
         const Pose pose = link.pose * in_link;
-        Piece piece = {.who = who, .carrier = carrier, .frame = link.frame, .touching = touching};
-        if (all_spheres(shapes) && !shapes.empty()) {
-            for (const PlacedShape& s : shapes) {
-                piece.balls.push_back({pose * s.pose.translation(), std::get<Sphere>(s.shape).radius});
-            }
-        } else {
-            if (balls.empty())
-                throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
-            model_.exact_ = false;
-            for (const Ball& ball : balls) {
-                const double radius = side_ == BallSide::outer ? ball.radius : depth(shapes, ball.center);
-                if (radius > 0) piece.balls.push_back({pose * ball.center, radius});
-            }
-        }
-        if (piece.balls.empty()) return;
-        piece.bound = bounding_ball(piece.balls);
+        Piece piece = {.who = who, .carrier = carrier, .frame = link.frame};
+        const auto moved = [&](const Ball& ball) { return Ball{pose * ball.center, ball.radius}; };
+        piece.balls.reserve(clusters.balls.size());
+        for (const Ball& ball : clusters.balls) piece.balls.push_back(moved(ball));
+        for (const auto& cluster : clusters.clusters)
+            piece.clusters.push_back({moved(cluster.bound), cluster.ball_count});
+        piece.bound = moved(clusters.bound);
         pieces_.push_back(std::move(piece));
     }
 
-    bool wanted(int link) const {
-        return change_ == PairChange::fixed || links_[static_cast<std::size_t>(link)].frame >= 0;
-    }
+    bool moves(int link) const { return links_[static_cast<std::size_t>(link)].frame >= 0; }
 
     /// The far end of the robot first: it collides most often.
     void collect_pieces() {
         for (int b = static_cast<int>(world_.size()) - 1; b >= 0; --b) {
             const BodyState& body = world_[b];
-            if (!body.attachment || !wanted(body.attachment->link)) continue;
+            if (!body.attachment || !moves(body.attachment->link)) continue;
             add_piece({Participant::Kind::body, b}, body.attachment->link, body.attachment->in_link,
-                      body.model->shapes, body.model->balls, &body.attachment->touching, body.model->name);
+                      (*cache_.clusters(body.model))[side_], !body.model->balls.empty(), body.model->name);
         }
         for (int l = static_cast<int>(robot_.links.size()) - 1; l >= 0; --l) {
             const Link& link = robot_.links[static_cast<std::size_t>(l)];
-            if (!wanted(l)) continue;
-            add_piece({Participant::Kind::link, l}, l, Pose::Identity(), link.collision, link.balls, nullptr,
-                      link.name);
+            if (!moves(l)) continue;
+            add_piece({Participant::Kind::link, l}, l, Pose::Identity(),
+                      (*clusters_)[static_cast<std::size_t>(l)][side_], !link.balls.empty(), link.name);
         }
     }
 
@@ -271,11 +251,10 @@ class KernelModelBuilder {
             if (!body.attachment) {
                 add_standing(who, body.pose, body.model->shapes);
             } else if (const PlacedLink& link = links_[static_cast<std::size_t>(body.attachment->link)];
-                       link.frame < 0 && change_ == PairChange::moving) {
+                       link.frame < 0) {
                 add_standing(who, link.pose * body.attachment->in_link, body.model->shapes);
             }
         }
-        if (change_ == PairChange::fixed) return;
         for (int l = 0; l < static_cast<int>(robot_.links.size()); ++l) {
             const PlacedLink& link = links_[static_cast<std::size_t>(l)];
             if (link.frame >= 0) continue;
@@ -295,7 +274,8 @@ class KernelModelBuilder {
                 continue;
             }
             alike->balls.insert(alike->balls.end(), piece.balls.begin(), piece.balls.end());
-            alike->bound = bounding_ball(alike->balls);
+            alike->clusters.insert(alike->clusters.end(), piece.clusters.begin(), piece.clusters.end());
+            alike->bound = bounding_ball(alike->bound, piece.bound);
         }
         pieces_ = std::move(merged);
     }
@@ -332,15 +312,21 @@ class KernelModelBuilder {
         return corner.norm();
     }
 
-    /// The fixed point that the chain of a piece hangs on, and how far from it its balls' centres come.
-    Ball reach(const Piece& piece) const {
+    /// The chain hangs on a fixed point; how far from it do the balls' centres come?
+    void measure(Piece& piece) const {
         double radius = 0;
-        for (const Ball& ball : piece.balls) radius = std::max(radius, ball.center.norm());
+        for (const Ball& ball : piece.balls) {
+            radius = std::max(radius, ball.center.norm());
+            piece.largest = std::max(piece.largest, ball.radius);
+        }
         int frame = piece.frame;
         while (true) {
             const std::size_t at = static_cast<std::size_t>(frame);
             radius += travel(at);
-            if (model_.frames_[at].parent < 0) return {translations_[at], radius};
+            if (model_.frames_[at].parent < 0) {
+                piece.range = {translations_[at], radius};
+                return;
+            }
             radius += translations_[at].norm();
             frame = model_.frames_[at].parent;
         }
@@ -350,12 +336,8 @@ class KernelModelBuilder {
     double farthest() const {
         double farthest = 0;
         for (const Piece& piece : pieces_) {
-            if (piece.frame < 0) {
-                farthest = std::max(farthest, piece.bound.center.norm() + piece.bound.radius);
-            } else {
-                const Ball range = reach(piece);
-                farthest = std::max(farthest, range.center.norm() + range.radius + piece.bound.radius);
-            }
+            farthest =
+                std::max(farthest, piece.range.center.norm() + piece.range.radius + piece.bound.radius);
         }
         double center = farthest;
         for (const Standing& standing : standing_) {
@@ -377,7 +359,7 @@ class KernelModelBuilder {
             part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
             part.spread = spread(piece);
             part.first_cluster = static_cast<int>(model_.clusters_.size());
-            flatten_balls(piece.balls);
+            flatten_balls(piece);
             part.cluster_count = static_cast<int>(model_.clusters_.size()) - part.first_cluster;
             collect_obstacles(piece, part);
             model_.parts_.push_back(part);
@@ -393,32 +375,18 @@ class KernelModelBuilder {
         return static_cast<float>(farthest + model_.margin_);
     }
 
-    /// Halves along the longest side until clusters are small.
-    void flatten_balls(std::span<Ball> balls) {
-        constexpr std::size_t kLargest = 4;
-        if (balls.size() > kLargest) {
-            Vector3 lower = balls.front().center;
-            Vector3 upper = lower;
-            for (const Ball& ball : balls) {
-                lower = lower.cwiseMin(ball.center);
-                upper = upper.cwiseMax(ball.center);
+    void flatten_balls(const Piece& piece) {
+        auto ball = piece.balls.begin();
+        for (const BallClusters::Cluster& from : piece.clusters) {
+            kernel::Cluster cluster = {};
+            cluster.bound = flat(from.bound, from.bound.radius + model_.margin_);
+            cluster.first_ball = static_cast<int>(model_.balls_.size());
+            for (const auto end = ball + static_cast<std::ptrdiff_t>(from.ball_count); ball != end; ++ball) {
+                if (sized(ball->radius) > 0) model_.balls_.push_back(flat(*ball, sized(ball->radius)));
             }
-            Eigen::Index longest = 0;
-            (upper - lower).maxCoeff(&longest);
-            std::ranges::stable_sort(balls, {}, [&](const Ball& ball) { return ball.center[longest]; });
-            flatten_balls(balls.first(balls.size() / 2));
-            flatten_balls(balls.subspan(balls.size() / 2));
-            return;
+            cluster.ball_count = static_cast<int>(model_.balls_.size()) - cluster.first_ball;
+            model_.clusters_.push_back(cluster);
         }
-        kernel::Cluster cluster = {};
-        const Ball bound = bounding_ball(balls);
-        cluster.bound = flat(bound, bound.radius + model_.margin_);
-        cluster.first_ball = static_cast<int>(model_.balls_.size());
-        for (const Ball& ball : balls) {
-            if (sized(ball.radius) > 0) model_.balls_.push_back(flat(ball, sized(ball.radius)));
-        }
-        cluster.ball_count = static_cast<int>(model_.balls_.size()) - cluster.first_ball;
-        model_.clusters_.push_back(cluster);
     }
 
     bool may_touch(const Piece& piece, const Participant& other) const {
@@ -439,26 +407,20 @@ class KernelModelBuilder {
     }
 
     bool reachable(const Piece& piece, const Standing& standing) const {
-        if (piece.frame < 0) return true;
-        const Ball range = reach(piece);
-        double largest = 0;
-        for (const Ball& ball : piece.balls) largest = std::max(largest, ball.radius);
-        const double gap = signed_distance(*standing.shape, standing.pose.inverse() * range.center);
-        return !std::isfinite(gap) || gap <= range.radius + largest + kReachPadding;
+        const double gap = signed_distance(*standing.shape, standing.pose.inverse() * piece.range.center);
+        return !std::isfinite(gap) || gap <= piece.range.radius + piece.largest + kReachPadding;
     }
 
     void collect_obstacles(const Piece& piece, kernel::Part& part) {
         std::vector<kernel::Grid> grids;
         part.first_boxes = static_cast<int>(model_.boxes_.size());
         std::size_t count = 0;
-        if (change_ == PairChange::moving || piece.frame < 0) {
-            for (const Standing& standing : standing_) {
-                if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
-                if (const auto obstacle = flatten_at(*standing.shape, standing.pose)) {
-                    add_obstacle(*obstacle, standing, count++ % kernel::kLanes);
-                } else {
-                    grids.push_back(grid_of(standing));
-                }
+        for (const Standing& standing : standing_) {
+            if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
+            if (const auto obstacle = flatten_at(*standing.shape, standing.pose)) {
+                add_obstacle(*obstacle, standing, count++ % kernel::kLanes);
+            } else {
+                grids.push_back(grid_of(standing));
             }
         }
         part.boxes_count = static_cast<int>(model_.boxes_.size()) - part.first_boxes;
@@ -574,20 +536,18 @@ class KernelModelBuilder {
     void pair_pieces() {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
-                const bool fixed = pieces_[i].frame == pieces_[j].frame;
-                if (fixed != (change_ == PairChange::fixed) || may_touch(pieces_[i], pieces_[j].who))
-                    continue;
+                if (pieces_[i].frame == pieces_[j].frame || may_touch(pieces_[i], pieces_[j].who)) continue;
                 model_.pairs_.push_back({static_cast<int>(i), static_cast<int>(j)});
             }
         }
     }
 
+    std::shared_ptr<const std::vector<CoveringClusters>> clusters_;  ///< of the links
     const Robot& robot_;
     const World& world_;
     const Group& group_;
     const Configuration& rest_;
     BallSide side_;
-    PairChange change_;
     SolidCache& cache_;
     KernelModel& model_;
     std::vector<PlacedLink> links_ = {};
@@ -598,13 +558,12 @@ class KernelModelBuilder {
     std::vector<std::vector<double>> levers_ = {};  ///< of every part, by variable
 };
 
-KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change,
-                         SolidCache& cache) {
+KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, SolidCache& cache) {
     if (problem.robot->groups[static_cast<std::size_t>(problem.group)].variables.size() >
         kernel::kMaxVariables) {
         throw std::invalid_argument("the fast checker takes groups of at most 16 variables");
     }
-    KernelModelBuilder(problem, side, change, cache, *this).build();
+    KernelModelBuilder(problem, side, cache, *this).build();
 }
 
 kernel::Model KernelModel::view() const {
