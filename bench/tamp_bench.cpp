@@ -52,7 +52,7 @@ void show(const Refinement& found) {
             std::printf("    %s\n", found.plan->action(i).c_str());
     }
     for (const Attempt& attempt : found.attempts) {
-        if (attempt.count * 20 < found.statistics.stream_calls) continue;
+        if (attempt.count * 60 < found.statistics.stream_calls) continue;
         std::printf("    %llu times %s: %s\n", static_cast<unsigned long long>(attempt.count),
                     attempt.stream.c_str(), attempt.message.c_str());
     }

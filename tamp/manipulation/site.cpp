@@ -33,6 +33,9 @@ AxisBox box_of(const Robot& robot, const Configuration& configuration) {
     return box;
 }
 
+/// The arm follows the hand's straight lines this well, in metres.
+constexpr double kDeviation = 1.5e-3;
+
 AxisBox shifted(const AxisBox& box, const Vector3& by) {
     return {box.lower + by, box.upper + by};
 }
@@ -81,63 +84,65 @@ Path Site::hand_path(std::span<const Vector3> legs) const {
 }
 
 void Site::check_hand() {
-    const bool certified = space_.model().options.certified;
     const auto open = space_.checker({.probe = Probe::open_hand});
     const Configuration& at = hand_back_.front();
     Configuration rest = open->problem().rest;
     std::ranges::copy(at, rest.begin());
-    back_box_ = box_of(*open->problem().robot, rest);
-    lift_box_ = back_box_;
-    back_box_.include(shifted(back_box_, back_));
-    if (!is_path_free(*open, hand_back_, certified)) {
-        failure_ = space_.explain({.probe = Probe::open_hand}, hand_back_, "the hand");
-        return;
-    }
-    const auto holding = space_.checker({.probe = Probe::holding_hand, .held = held_});
-    if (!holding->is_free(at)) {
-        failure_ = space_.explain({.probe = Probe::holding_hand, .held = held_}, {at}, "what the hand holds");
-        return;
-    }
-    const World& held = *holding->problem().world;
-    lift_box_.include(extent(held[static_cast<int>(held.size()) - 1].model->shapes, pose_));
-    AxisBox all = lift_box_;
-    for (std::size_t i = 0; i < kLifts; ++i) {
-        open_[i] = is_path_free(*holding, hand_lifts_[i], certified);
-        if (!open_[i]) continue;
+    AxisBox box = box_of(*open->problem().robot, rest);
+    box.include(extent(space_.body(body_).shapes, pose_));
+    box = {box.lower.array() - kDeviation, box.upper.array() + kDeviation};
+    box_ = box;
+    for (const std::vector<Vector3>& legs : legs_) {
         Vector3 by = Vector3::Zero();
-        for (const Vector3& leg : legs_[i]) all.include(shifted(lift_box_, by += leg));
+        for (const Vector3& leg : legs) box_.include(shifted(box, by += leg));
     }
-    lift_box_ = all;
-    if (open_[0] || open_[1] || open_[2]) return;
-    failure_ = space_.explain({.probe = Probe::holding_hand, .held = held_}, hand_lifts_.front(),
-                              "the hand as it lifts");
+    if (!is_path_free(*open, hand_back_, space_.model().options.certified)) {
+        failure_ = space_.explain({.probe = Probe::open_hand}, hand_back_, "the hand");
+    } else if (!space_.fits(held_)) {
+        failure_ = {.reason = Reason::collision, .message = "the body does not fit between the fingers"};
+    } else if (!can_lift(0) && !can_lift(1) && !can_lift(2)) {
+        failure_ = space_.explain({.probe = Probe::holding_hand, .held = held_}, hand_lifts_.front(),
+                                  "the hand as it lifts");
+    }
 }
 
-const Obstacle& Site::stopped(int body, const Pose& pose, SkillSpace::Id standing) {
+bool Site::can_lift(std::size_t lift) {
+    std::optional<bool>& known = open_[lift];
+    if (!known) {
+        known = is_path_free(*space_.checker({.probe = Probe::holding_hand, .held = held_}), hand_lifts_[lift],
+                             space_.model().options.certified);
+    }
+    return *known;
+}
+
+bool Site::is_near(int body, const Pose& pose) const {
+    return extent(space_.body(body).shapes, pose).overlaps(box_);
+}
+
+const ActionFailure* Site::decide(Obstacle& obstacle, std::size_t part, const ProbeOf& probe, const Path& path,
+                                  const std::string& phase) {
+    std::optional<bool>& stops = obstacle.stops[part];
+    if (!stops) {
+        stops = !is_path_free(*space_.checker(probe), path, space_.model().options.certified);
+        if (*stops && obstacle.why.message.empty()) obstacle.why = space_.explain(probe, path, phase);
+    }
+    return *stops ? &obstacle.why : nullptr;
+}
+
+const ActionFailure* Site::stopped(std::size_t part, int body, const Pose& pose, SkillSpace::Id standing) {
     const auto [at, is_new] = obstacles_.try_emplace(standing);
     Obstacle& found = at->second;
-    if (!is_new) return found;
-    const bool certified = space_.model().options.certified;
-    const AxisBox box = extent(space_.body(body).shapes, pose);
-    if (box.overlaps(back_box_)) {
-        const ProbeOf open{.probe = Probe::open_hand_at, .standing = standing};
-        if (!is_path_free(*space_.checker(open), hand_back_, certified)) {
-            return found = {kStopsAll, space_.explain(open, hand_back_, "the hand")};
-        }
-    }
-    if (!box.overlaps(lift_box_)) return found;
+    if (is_new) found.far = !is_near(body, pose);
+    if (found.far) return nullptr;
     const ProbeOf holding{.probe = Probe::holding_hand_at, .standing = standing, .held = held_};
-    const auto checker = space_.checker(holding);
-    const Configuration& at_target = hand_back_.front();
-    if (!checker->is_free(at_target)) {
-        return found = {kStopsAll, space_.explain(holding, {at_target}, "what the hand holds")};
+    if (part > 0) return decide(found, part, holding, hand_lifts_[part - 1], "the hand as it lifts");
+    if (found.stops[0]) return *found.stops[0] ? &found.why : nullptr;
+    if (!space_.checker(holding)->is_free(hand_back_.front())) {
+        found.stops[0] = true;
+        found.why = space_.explain(holding, {hand_back_.front()}, "what the hand holds");
+        return &found.why;
     }
-    for (std::size_t i = 0; i < kLifts; ++i) {
-        if (!open_[i] || is_path_free(*checker, hand_lifts_[i], certified)) continue;
-        if (found.stops == 0) found.why = space_.explain(holding, hand_lifts_[i], "the hand as it lifts");
-        found.stops |= stops_lift(i);
-    }
-    return found;
+    return decide(found, 0, {.probe = Probe::open_hand_at, .standing = standing}, hand_back_, "the hand");
 }
 
 std::vector<Stance>& Site::stances() {
@@ -192,84 +197,76 @@ Way Site::make_way(const Stance& stance, std::uint64_t number) {
         return way;
     }
     way.back = std::move(*back);
-    const ProbeOf holding{.probe = Probe::holding_arm, .held = held_, .base = stance.base};
-    const auto laden = space_.checker(holding);
-    bool any = false;
-    for (std::size_t i = 0; i < kLifts; ++i) {
-        if (!open_[i]) continue;
-        std::optional<Path> lift = model.straight(home, *arm, legs_[i]);
-        if (!lift) {
-            if (!way.failure) way.failure = unreachable("the arm cannot make the lift");
-            continue;
-        }
-        if (!is_path_free(*laden, *lift, certified)) {
-            if (!way.failure || way.failure->reason == Reason::kinematics)
-                way.failure = space_.explain(holding, *lift, "the lift");
-            continue;
-        }
-        way.lifts[i] = std::move(*lift);
-        any = true;
-    }
-    if (any) {
-        way.failure.reset();
-        find_boxes(stance, way);
-    }
+    add_boxes(stance, way, way.back);
     return way;
+}
+
+const Path& Site::lift(const Stance& stance, Way& way, std::size_t lift) {
+    std::optional<Path>& path = way.lifts[lift];
+    if (path) return *path;
+    const ManipulatorModel& model = space_.model();
+    path = model.straight(space_.home(stance.base), way.arm, legs_[lift]);
+    if (!path) {
+        path.emplace();
+        if (!way.stuck) way.stuck = unreachable("the arm cannot make the lift");
+        return *path;
+    }
+    const ProbeOf holding{.probe = Probe::holding_arm, .held = held_, .base = stance.base};
+    if (is_path_free(*space_.checker(holding), *path, model.options.certified)) {
+        add_boxes(stance, way, *path);
+        std::erase_if(way.obstacles, [](const auto& entry) { return entry.second.far; });
+    } else {
+        if (!way.stuck || way.stuck->reason == Reason::kinematics)
+            way.stuck = space_.explain(holding, *path, "the lift");
+        path->clear();
+    }
+    return *path;
 }
 
 /// Between two waypoints a link leaves the ball around it at the first by no more than the variables' changes
 /// times the length of the arm.
-void Site::find_boxes(const Stance& stance, Way& way) const {
+void Site::add_boxes(const Stance& stance, Way& way, const Path& path) const {
     const ManipulatorModel& model = space_.model();
     const Robot& robot = space_.bare_arm();
     std::vector<Pose> poses(robot.links.size());
     std::vector<bool> seen(robot.links.size(), false);
     std::vector<AxisBox> boxes(robot.links.size());
     Configuration configuration = space_.home(stance.base);
-    const auto add = [&](const Path& path) {
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            double change = 0;
-            for (std::size_t v = 0; i + 1 < path.size() && v < path[i].size(); ++v)
-                change += std::abs(path[i + 1][v] - path[i][v]);
-            double before = 0;
-            for (std::size_t v = 0; i > 0 && v < path[i].size(); ++v) before += std::abs(path[i][v] - path[i - 1][v]);
-            const double slack = 0.5 * std::max(change, before) * model.reach_radius();
-            robot.insert(model.group(model.arm), path[i], configuration);
-            forward_kinematics(robot, configuration, poses);
-            for (std::size_t link = 0; link < poses.size(); ++link) {
-                const Ball& bound = robot.links[link].bound;
-                if (bound.radius <= 0) continue;
-                bool empty = !seen[link];
-                include(boxes[link], empty, box_around(poses[link] * bound.center, bound.radius + slack));
-                seen[link] = true;
-            }
-        }
+    const auto change = [&](std::size_t i) {
+        double sum = 0;
+        for (std::size_t v = 0; v < path[i].size(); ++v) sum += std::abs(path[i + 1][v] - path[i][v]);
+        return sum;
     };
-    add(way.back);
-    for (const Path& lift : way.lifts) add(lift);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const double after = i + 1 < path.size() ? change(i) : 0;
+        const double before = i > 0 ? change(i - 1) : 0;
+        const double slack = 0.5 * std::max(after, before) * model.reach_radius();
+        robot.insert(model.group(model.arm), path[i], configuration);
+        forward_kinematics(robot, configuration, poses);
+        for (std::size_t link = 0; link < poses.size(); ++link) {
+            const Ball& bound = robot.links[link].bound;
+            if (bound.radius <= 0) continue;
+            bool empty = !seen[link];
+            include(boxes[link], empty, box_around(poses[link] * bound.center, bound.radius + slack));
+            seen[link] = true;
+        }
+    }
     for (std::size_t link = 0; link < boxes.size(); ++link)
         if (seen[link]) way.boxes.push_back(boxes[link]);
 }
 
-const Obstacle& Site::stopped(const Stance& stance, Way& way, int body, const Pose& pose,
-                              SkillSpace::Id standing) {
+const ActionFailure* Site::stopped(std::size_t part, const Stance& stance, Way& way, int body, const Pose& pose,
+                                   SkillSpace::Id standing) {
     const auto [at, is_new] = way.obstacles.try_emplace(standing);
     Obstacle& found = at->second;
-    if (!is_new) return found;
-    const AxisBox box = extent(space_.body(body).shapes, pose);
-    if (std::ranges::none_of(way.boxes, [&](const AxisBox& link) { return link.overlaps(box); })) return found;
-    const bool certified = space_.model().options.certified;
+    if (is_new) {
+        const AxisBox box = extent(space_.body(body).shapes, pose);
+        found.far = std::ranges::none_of(way.boxes, [&](const AxisBox& link) { return link.overlaps(box); });
+    }
+    if (found.far) return nullptr;
     const ProbeOf bare{.probe = Probe::bare_arm, .standing = standing, .base = stance.base};
-    const auto checker = space_.checker(bare);
-    if (!is_path_free(*checker, way.back, certified)) {
-        return found = {kStopsAll, space_.explain(bare, way.back, "the arm")};
-    }
-    for (std::size_t i = 0; i < kLifts; ++i) {
-        if (way.lifts[i].empty() || is_path_free(*checker, way.lifts[i], certified)) continue;
-        if (found.stops == 0) found.why = space_.explain(bare, way.lifts[i], "the arm as it lifts");
-        found.stops |= stops_lift(i);
-    }
-    return found;
+    return part == 0 ? decide(found, 0, bare, way.back, "the arm")
+                     : decide(found, part, bare, *way.lifts[part - 1], "the arm as it lifts");
 }
 
 }  // namespace praxis::tamp

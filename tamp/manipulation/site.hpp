@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "tamp/manipulation/action_motion.hpp"
 #include "tamp/geometry/axis_box.hpp"
@@ -16,31 +17,34 @@
 
 namespace praxis::tamp {
 
-/// What a body stops: bit 0 the target or the way back, bit 1 + i the i-th lift.
-using Stops = std::uint8_t;
 inline constexpr std::size_t kLifts = 3;
-inline constexpr Stops kStopsAll = 1;
-inline constexpr Stops stops_lift(std::size_t lift) {
-    return static_cast<Stops>(2U << lift);
-}
 
-/// What one body stops, and how that shows.
+/// Which parts of a way one body stops: the target and the way back (part 0), and the lifts (from part 1 on);
+/// found out where it is asked for.
 struct Obstacle {
-    Stops stops = 0;
-    ActionFailure why = {};
+    bool far = false;  ///< it stops nothing
+    std::array<std::optional<bool>, 1 + kLifts> stops = {};
+    ActionFailure why = {};  ///< of the first part that it stops
+};
+
+/// A path of the arm from home, found among fixed bodies only.
+struct KnownPath {
+    MotionResult found = {};
+    std::unordered_set<SkillSpace::Id> free_of = {};  ///< movable bodies that it is known not to touch
 };
 
 /// A way of the arm to follow the hand.
 struct Way {
     std::optional<ActionFailure> failure = {};  ///< whatever movable bodies stand
+    std::optional<ActionFailure> stuck = {};    ///< why a lift was not possible
     Configuration arm = {};                     ///< at the target
     Path back = {};                             ///< from the target, with the open hand
-    std::array<Path, kLifts> lifts = {};        ///< from the target, with the body; empty: not possible
+    std::array<std::optional<Path>, kLifts> lifts = {};  ///< from the target, with the body; empty: not possible
     std::vector<AxisBox> boxes = {};            ///< around the arm without its hand, on all these paths
     std::unordered_map<SkillSpace::Id, Obstacle> obstacles = {};
-    /// From home, among fixed bodies only, to the ends of `back` and of the lifts.
-    std::optional<MotionResult> transit = {};
-    std::array<std::optional<MotionResult>, kLifts> transfers = {};
+    /// To the ends of `back` and of the lifts.
+    std::optional<KnownPath> transit = {};
+    std::array<std::optional<KnownPath>, kLifts> transfers = {};
 };
 
 /// Where the base stands.
@@ -56,18 +60,23 @@ class Site {
 
     /// The hand alone cannot do it.
     const std::optional<ActionFailure>& failure() const { return failure_; }
-    /// By lift: the hand alone can do it.
-    const std::array<bool, kLifts>& lifts() const { return open_; }
-    /// What a movable body stops of the hand.
-    const Obstacle& stopped(int body, const Pose& pose, SkillSpace::Id standing);
+    /// The hand alone can do this lift.
+    bool can_lift(std::size_t lift);
+    /// Whether a movable body is where the hand, or what it holds, passes by.
+    bool is_near(int body, const Pose& pose) const;
+    /// How a movable body stops this part of the hand's way; null: it does not.
+    const ActionFailure* stopped(std::size_t part, int body, const Pose& pose, SkillSpace::Id standing);
 
     /// Where the base may stand; one that says nothing where the arm stands.
     std::vector<Stance>& stances();
     /// Number `number` of the ways; its failure says where there is none.
     Way& way(Stance& stance, std::uint64_t number);
-    /// What a movable body stops of the arm.
-    const Obstacle& stopped(const Stance& stance, Way& way, int body, const Pose& pose,
-                            SkillSpace::Id standing);
+    /// The arm's path of a lift that the hand can do; empty: not possible, which is then the way's failure if no
+    /// lift is.
+    const Path& lift(const Stance& stance, Way& way, std::size_t lift);
+    /// How a movable body stops this part of the arm's way; null: it does not.
+    const ActionFailure* stopped(std::size_t part, const Stance& stance, Way& way, int body, const Pose& pose,
+                                 SkillSpace::Id standing);
 
     SkillSpace::Id standing() const { return standing_; }
     SkillSpace::Id held() const { return held_; }
@@ -76,7 +85,9 @@ class Site {
     void check_hand();
     Path hand_path(std::span<const Vector3> legs) const;
     Way make_way(const Stance& stance, std::uint64_t number);
-    void find_boxes(const Stance& stance, Way& way) const;
+    void add_boxes(const Stance& stance, Way& way, const Path& path) const;
+    const ActionFailure* decide(Obstacle& obstacle, std::size_t part, const ProbeOf& probe, const Path& path,
+                                const std::string& phase);
 
     SkillSpace& space_;
     int body_;
@@ -86,11 +97,11 @@ class Site {
     Pose target_;                                            ///< of the tool
     Vector3 back_;                                           ///< the way back, a vector in the world
     std::array<std::vector<Vector3>, kLifts> legs_;          ///< of the lifts
-    std::array<bool, kLifts> open_ = {};
+    std::array<std::optional<bool>, kLifts> open_ = {};
     std::optional<ActionFailure> failure_ = {};
     Path hand_back_ = {};
     std::array<Path, kLifts> hand_lifts_ = {};
-    AxisBox back_box_, lift_box_;  ///< around the hand, and the hand with the body, on their ways
+    AxisBox box_;  ///< around the hand with the body, on all their ways
     std::unordered_map<SkillSpace::Id, Obstacle> obstacles_ = {};
     std::vector<Stance> stances_ = {};
 };

@@ -50,13 +50,38 @@ ActionResult SkillRun::run() {
     return failed();
 }
 
-void SkillRun::note(const Other& other, const Obstacle& obstacle, std::vector<int>& all, Stoppers& lifts,
-                    const ActionFailure*& why) const {
-    if (obstacle.stops == 0) return;
-    if (why == nullptr) why = &obstacle.why;
-    if ((obstacle.stops & kStopsAll) != 0) all.push_back(other.body);
-    for (std::size_t i = 0; i < kLifts; ++i)
-        if ((obstacle.stops & stops_lift(i)) != 0) lifts[i].push_back(other.body);
+std::vector<int> SkillRun::hand_stoppers(std::size_t part, const ActionFailure*& why) {
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        const Pose& pose = (*standing_world_)[other.body].pose;
+        const ActionFailure* stopped = site_.stopped(part, other.body, pose, other.standing);
+        if (stopped == nullptr) continue;
+        bodies.push_back(other.body);
+        if (why == nullptr) why = stopped;
+    }
+    return bodies;
+}
+
+std::vector<int> SkillRun::arm_stoppers(std::size_t part, const Stance& stance, Way& way,
+                                        const ActionFailure*& why) {
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        const Pose& pose = (*standing_world_)[other.body].pose;
+        const ActionFailure* stopped = site_.stopped(part, stance, way, other.body, pose, other.standing);
+        if (stopped == nullptr) continue;
+        bodies.push_back(other.body);
+        if (why == nullptr) why = stopped;
+    }
+    return bodies;
+}
+
+const SkillRun::Stopped& SkillRun::lift_stoppers(std::size_t lift) {
+    std::optional<Stopped>& known = lift_stoppers_[lift];
+    if (!known) {
+        known.emplace();
+        known->bodies = hand_stoppers(1 + lift, known->why);
+    }
+    return *known;
 }
 
 /// The hand alone is stopped.
@@ -65,20 +90,16 @@ bool SkillRun::hand_fails() {
         log_.add_fixed(*site_.failure());
         return true;
     }
-    std::vector<int> all;
     const ActionFailure* why = nullptr;
-    for (const Other& other : others_) {
-        const Pose& pose = (*standing_world_)[other.body].pose;
-        note(other, site_.stopped(other.body, pose, other.standing), all, hand_stoppers_, why);
-    }
+    std::vector<int> all = hand_stoppers(0, why);
     if (!all.empty()) {
         log_.add_blocked(std::move(all), *why);
         return true;
     }
     for (std::size_t i = 0; i < kLifts; ++i)
-        if (site_.lifts()[i] && hand_stoppers_[i].empty()) return false;
+        if (site_.can_lift(i) && lift_stoppers(i).bodies.empty()) return false;
     for (std::size_t i = 0; i < kLifts; ++i)
-        if (site_.lifts()[i]) log_.add_blocked(hand_stoppers_[i], *why);
+        if (site_.can_lift(i)) log_.add_blocked(lift_stoppers(i).bodies, *lift_stoppers(i).why);
     return true;
 }
 
@@ -119,30 +140,33 @@ bool SkillRun::try_way(Stance& stance, Way& way) {
         log_.add_fixed(*way.failure);
         return false;
     }
-    std::vector<int> all;
-    Stoppers stoppers = hand_stoppers_;
     const ActionFailure* why = nullptr;
-    for (const Other& other : others_) {
-        const Pose& pose = (*standing_world_)[other.body].pose;
-        note(other, site_.stopped(stance, way, other.body, pose, other.standing), all, stoppers, why);
-    }
+    std::vector<int> all = arm_stoppers(0, stance, way, why);
     if (!all.empty()) {
         log_.add_blocked(std::move(all), *why);
         return false;
     }
-    std::size_t lift = kLifts;
-    for (std::size_t i = kLifts; i-- > 0;)
-        if (!way.lifts[i].empty() && stoppers[i].empty()) lift = i;
+    std::size_t lift = 0;
+    std::vector<Stopped> stopped;
+    for (; lift < kLifts; ++lift) {
+        if (!site_.can_lift(lift)) continue;
+        if (site_.lift(stance, way, lift).empty()) continue;
+        Stopped by = lift_stoppers(lift);
+        const std::vector<int> of_arm = arm_stoppers(1 + lift, stance, way, by.why);
+        by.bodies.insert(by.bodies.end(), of_arm.begin(), of_arm.end());
+        if (by.bodies.empty()) break;
+        stopped.push_back(std::move(by));
+    }
     if (lift == kLifts) {
-        const ActionFailure stopped{.reason = Reason::collision, .message = "the lift is in collision"};
-        for (std::size_t i = 0; i < kLifts; ++i)
-            if (!way.lifts[i].empty()) log_.add_blocked(stoppers[i], why != nullptr ? *why : stopped);
+        for (Stopped& by : stopped) log_.add_blocked(std::move(by.bodies), *by.why);
+        if (stopped.empty()) log_.add_fixed(*way.stuck);
         return false;
     }
+    if (!confirm(stance, way, lift)) return false;
     std::optional<Path> transit = travel(way.transit, stance, false, way.back.back(), "the way without it");
     if (!transit) return false;
     std::optional<Path> transfer =
-        travel(way.transfers[lift], stance, true, way.lifts[lift].back(), "the way with it");
+        travel(way.transfers[lift], stance, true, way.lifts[lift]->back(), "the way with it");
     if (!transfer) return false;
     Path there, away;
     if (model_.base >= 0) {
@@ -167,25 +191,60 @@ bool SkillRun::try_way(Stance& stance, Way& way) {
     return true;
 }
 
-std::optional<Path> SkillRun::travel(std::optional<MotionResult>& known, const Stance& stance, bool holding,
+bool SkillRun::confirm(const Stance& stance, const Way& way, std::size_t lift) {
+    std::vector<SkillSpace::Id> near;
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        if (!site_.is_near(other.body, (*standing_world_)[other.body].pose)) continue;
+        near.push_back(other.standing);
+        bodies.push_back(other.body);
+    }
+    if (near.empty()) return true;
+    const bool certified = model_.options.certified;
+    if (is_path_free(*space_.checker_among(near, {}, stance.base), way.back, certified) &&
+        is_path_free(*space_.checker_among(near, site_.held(), stance.base), *way.lifts[lift], certified)) {
+        return true;
+    }
+    log_.add_no_path(bodies, {.reason = Reason::collision,
+                              .message = "the hand only just touches what it passes by",
+                              .definite = false});
+    return false;
+}
+
+bool SkillRun::is_free_of_others(KnownPath& known, const Stance& stance, bool holding) const {
+    std::vector<SkillSpace::Id> unknown;
+    for (const Other& other : others_)
+        if (!known.free_of.contains(other.standing)) unknown.push_back(other.standing);
+    if (unknown.empty()) return true;
+    const auto held = holding ? std::optional(site_.held()) : std::nullopt;
+    if (!is_path_free(*space_.checker_among(unknown, held, stance.base), known.found.path,
+                      model_.options.certified)) {
+        return false;
+    }
+    known.free_of.insert(unknown.begin(), unknown.end());
+    return true;
+}
+
+std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stance& stance, bool holding,
                                      const Configuration& end, const std::string& phase) {
     const Configuration rest = home(stance, holding);
     const Configuration start = model_.robot->extract(model_.group(model_.arm), rest);
     if (!known) {
-        const ProbeOf probe{holding ? Probe::holding_arm : Probe::open_arm, site_.standing(), site_.held(),
+        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_.standing(), site_.held(),
                             stance.base};
-        known = start == end ? MotionResult{.status = MotionStatus::solved, .path = {start}}
-                             : model_.travel(*space_.checker(probe), start, end, 0, budget_);
+        known.emplace();
+        known->found = start == end ? MotionResult{.status = MotionStatus::solved, .path = {start}}
+                                    : model_.travel(*space_.checker(probe), start, end, 0, budget_);
     }
-    const auto all = checker(holding, model_.arm, rest);
     std::vector<int> blockers;
-    if (known->status == MotionStatus::solved) {
-        if (is_path_free(*all, known->path, model_.options.certified)) return known->path;
+    if (known->found.status == MotionStatus::solved) {
+        if (is_free_of_others(*known, stance, holding)) return known->found.path;
         for (const Other& other : others_) {
             const ProbeOf bare{Probe::bare_arm, other.standing, 0, stance.base};
-            if (!is_path_free(*space_.checker(bare), known->path, false)) blockers.push_back(other.body);
+            if (!is_path_free(*space_.checker(bare), known->found.path, false)) blockers.push_back(other.body);
         }
     }
+    const auto all = checker(holding, model_.arm, rest);
     MotionResult found = model_.travel(*all, start, end, variation_, budget_);
     if (found.status == MotionStatus::solved) return std::move(found.path);
     log_no_path(found, blockers, phase);
@@ -254,11 +313,11 @@ void SkillRun::assemble(const Stance&, const Way& way, std::size_t lift, Path tr
         fingers(open, closed);
         pieces.push_back(
             {.kind = Kind::gripper, .group = model_.arm, .attach = {{body_, model_.hold(grasp_)}}});
-        add(Kind::retreat, model_.arm, way.lifts[lift], false);
+        add(Kind::retreat, model_.arm, *way.lifts[lift], false);
         add(Kind::transfer, model_.arm, reversed(std::move(transfer)), true);
     } else {
         add(Kind::transfer, model_.arm, std::move(transfer), true);
-        add(Kind::approach, model_.arm, reversed(way.lifts[lift]), false);
+        add(Kind::approach, model_.arm, reversed(*way.lifts[lift]), false);
         pieces.push_back({.kind = Kind::gripper, .group = model_.arm, .detach = {{body_, pose_}}});
         fingers(closed, open);
         add(Kind::retreat, model_.arm, way.back, false);

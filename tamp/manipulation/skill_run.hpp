@@ -30,18 +30,27 @@ class SkillRun {
         int body = 0;
         SkillSpace::Id standing = 0;
     };
-    /// By lift: the bodies that each stop it.
-    using Stoppers = std::array<std::vector<int>, kLifts>;
+    /// By lift: the bodies that each stop it, and how the first does.
+    struct Stopped {
+        std::vector<int> bodies = {};
+        const ActionFailure* why = nullptr;
+    };
+    using Stoppers = std::array<std::optional<Stopped>, kLifts>;
 
-    /// Notes what an obstacle stops.
-    void note(const Other& other, const Obstacle& obstacle, std::vector<int>& all, Stoppers& lifts,
-              const ActionFailure*& why) const;
+    /// Those that each stop a part of the way of the hand alone; `why`: how the first does.
+    std::vector<int> hand_stoppers(std::size_t part, const ActionFailure*& why);
+    std::vector<int> arm_stoppers(std::size_t part, const Stance& stance, Way& way, const ActionFailure*& why);
     bool hand_fails();
+    /// Those that stop a lift of the hand.
+    const Stopped& lift_stoppers(std::size_t lift);
     bool try_stance(Stance& stance);
     bool try_way(Stance& stance, Way& way);
-    /// A path of the arm from home to `end`; `known` is kept for the site: one among fixed bodies alone.
-    std::optional<Path> travel(std::optional<MotionResult>& known, const Stance& stance, bool holding,
+    /// The hand, on the paths of the arm, touches nothing that it only just passes by.
+    bool confirm(const Stance& stance, const Way& way, std::size_t lift);
+    /// A path of the arm from home to `end`.
+    std::optional<Path> travel(std::optional<KnownPath>& known, const Stance& stance, bool holding,
                                const Configuration& end, const std::string& phase);
+    bool is_free_of_others(KnownPath& known, const Stance& stance, bool holding) const;
     std::optional<Path> drive(CollisionChecker& checker, const Configuration& from, const Configuration& to,
                               const std::string& phase);
     /// Blames the movable bodies that were met.
@@ -66,7 +75,7 @@ class SkillRun {
     WorldPointer standing_world_;  ///< the body stands at its pose
     WorldPointer holding_world_;   ///< the robot holds it
     std::vector<Other> others_;
-    Stoppers hand_stoppers_;
+    Stoppers lift_stoppers_;  ///< of the hand; found out where they are asked for
     ActionMotion motion_;
 };
 

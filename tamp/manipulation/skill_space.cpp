@@ -93,6 +93,7 @@ std::vector<int> SkillSpace::bodies_of(const ProbeOf& probe) const {
     std::vector<int> bodies;
     switch (probe.probe) {
         case Probe::open_arm:
+        case Probe::passing_arm:
             bodies = fixed_;
             bodies.push_back(standing());
             break;
@@ -123,9 +124,9 @@ std::shared_ptr<CollisionChecker> SkillSpace::checker(const ProbeOf& probe) {
 }
 
 std::shared_ptr<CollisionChecker> SkillSpace::make(const ProbeOf& probe) const {
-    const bool arm = probe.probe == Probe::open_arm || probe.probe == Probe::holding_arm ||
-                     probe.probe == Probe::bare_arm;
-    const bool stands = probe.probe == Probe::open_arm || probe.probe == Probe::bare_arm ||
+    const bool arm = probe.probe <= Probe::bare_arm;
+    const bool stands = probe.probe == Probe::open_arm || probe.probe == Probe::passing_arm ||
+                        probe.probe == Probe::bare_arm ||
                         probe.probe == Probe::open_hand_at || probe.probe == Probe::holding_hand_at;
     const bool holds = probe.probe == Probe::holding_arm || probe.probe == Probe::holding_hand ||
                        probe.probe == Probe::holding_hand_at;
@@ -140,6 +141,11 @@ std::shared_ptr<CollisionChecker> SkillSpace::make(const ProbeOf& probe) const {
         const Attachment hold = model_.hold(held_[probe.held].grasp);
         world = world.with_attached(static_cast<int>(bodies.size()) - 1, arm ? hold : hand_.attachment(hold));
     }
+    if (probe.probe == Probe::open_arm) {
+        const Participant own{Participant::Kind::body, static_cast<int>(bodies.size()) - 1};
+        for (const int link : model_.effector.links)
+            world = world.with_allowed({Participant::Kind::link, link}, own);
+    }
     const Configuration rest = holds ? home(probe.base, probe.held) : home(probe.base);
     CollisionProblem problem;
     problem.world = std::make_shared<const World>(std::move(world));
@@ -147,6 +153,44 @@ std::shared_ptr<CollisionChecker> SkillSpace::make(const ProbeOf& probe) const {
     problem.group = arm ? model_.arm : hand_.group;
     problem.rest = arm ? rest : hand_.rest(rest);
     return make_fast_checker(problem, model_.solids());
+}
+
+/// Checked a little to every side, too, since an arm follows a straight line not quite exactly.
+bool SkillSpace::fits(Id held) {
+    Held& one = held_[held];
+    if (one.fits) return *one.fits;
+    constexpr double kAside = 5e-4;
+    constexpr double kStep = 2e-3;
+    const Pose tool = one.grasp.body_in_tool.inverse();
+    const Vector3 back = -model_.options.approach * tool.linear().col(2);
+    const auto open = checker({Probe::open_hand_at, standing(one.body, Pose::Identity()), 0, 0});
+    one.fits = true;
+    for (const Vector3& aside : {Vector3(0, 0, 0), Vector3(0, kAside, 0), Vector3(0, -kAside, 0),
+                                 Vector3(kAside, 0, 0), Vector3(-kAside, 0, 0)}) {
+        Pose hand = tool * model_.effector.tool.inverse();
+        hand.translation() += tool.linear() * aside;
+        const Configuration from = FlyingHand::at(hand);
+        Configuration to = from;
+        for (std::size_t k = 0; k < 3; ++k) to[k] += back[static_cast<Eigen::Index>(k)];
+        if (!open->is_motion_free(from, to, kStep)) one.fits = false;
+    }
+    return *held_[held].fits;
+}
+
+std::unique_ptr<CollisionChecker> SkillSpace::checker_among(std::span<const Id> standing, std::optional<Id> held,
+                                                            Id base) const {
+    World world = world_;
+    std::vector<int> bodies;
+    for (const Id id : standing) {
+        bodies.push_back(standing_[id].body);
+        world = world.with_pose(standing_[id].body, standing_[id].pose);
+    }
+    if (held) bodies.push_back(held_[*held].body);
+    world = part_of(world, bodies, all_links_);
+    if (held)
+        world = world.with_attached(static_cast<int>(bodies.size()) - 1, model_.hold(held_[*held].grasp));
+    return model_.checker(std::make_shared<const World>(std::move(world)), model_.arm,
+                          held ? home(base, *held) : home(base));
 }
 
 ActionFailure SkillSpace::explain(const ProbeOf& probe, const Path& path, const std::string& phase) {

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 
@@ -18,7 +20,8 @@ namespace praxis::tamp {
 
 /// Who may be touched, and by what of the robot.
 enum class Probe : std::uint8_t {
-    open_arm,       ///< arm and open hand; fixed bodies, and the body where it stands
+    open_arm,       ///< arm and open hand; fixed bodies, and the body where it stands (the hand may touch it)
+    passing_arm,    ///< the same; the hand may not touch the body
     holding_arm,    ///< arm and hand with the body; fixed bodies
     bare_arm,       ///< the arm without its hand; one movable body
     open_hand,      ///< the open hand alone; fixed bodies
@@ -58,6 +61,11 @@ class SkillSpace {
     /// The first contact on a path that is not free: "PHASE is in collision: ..."; not definite where none
     /// shows. Contacts are of the whole robot and the given world; there is no configuration of a hand alone.
     ActionFailure explain(const ProbeOf& probe, const Path& path, const std::string& phase);
+    /// Whether the open hand gets to the body by this grasp, and back, without touching it.
+    bool fits(Id held);
+    /// The robot, with the open hand or holding a body, among some that stand and no others.
+    std::unique_ptr<CollisionChecker> checker_among(std::span<const Id> standing, std::optional<Id> held,
+                                                    Id base) const;
     /// The robot at home, its base at `base`, the fingers open or around what is held.
     Configuration home(Id base) const;
     Configuration home(Id base, Id held) const;
@@ -72,6 +80,7 @@ class SkillSpace {
     struct Held {
         int body = 0;
         Grasp grasp = {};
+        std::optional<bool> fits = {};
     };
     std::shared_ptr<CollisionChecker> make(const ProbeOf& probe) const;
     /// Numbers, in the given world, of the bodies of a probe's world.
