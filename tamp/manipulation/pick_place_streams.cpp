@@ -38,7 +38,7 @@ class PickPlace {
             return StreamResult::exhausted({.message = "there is no place for " + names});
         }
         const std::optional<Pose> pose = make_placement(*scene_->world[moved].model, scene_->world, where,
-                                                        call.attempt, scene_->placements);
+                                                        placement_number(moved, call.attempt), scene_->placements);
         if (!pose) return StreamResult::reject({.message = "there is no room for " + names});
         if (!standing_.is_free(moved, *pose, movable_)) {
             return StreamResult::reject(
@@ -79,6 +79,15 @@ class PickPlace {
         options.top = options.top && has(GraspKind::top);
         options.side = options.side && has(GraspKind::side);
         return options;
+    }
+
+    /// Every body begins with another of the places, so that several do not want the same one first.
+    std::uint32_t placement_number(int body, std::uint32_t attempt) const {
+        const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(scene_->placements.yaws.size(), 1));
+        const std::uint32_t places = (scene_->placements.count + turns - 1) / turns;
+        const std::uint32_t begin = attempt / places * places;
+        const std::uint32_t size = std::min(places, scene_->placements.count - begin);
+        return begin + (attempt - begin + static_cast<std::uint32_t>(body)) % size;
     }
 
     int body(const Value& value) const {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kMostReasons = 20;
 constexpr std::uint32_t kMostCopies = 4;
-constexpr std::uint32_t kFirstAttempts = 16;
+constexpr std::uint32_t kFirstAttempts = 32;
 constexpr std::uint32_t kLargestShift = 20;
 /// Streams up to this effort, in microseconds, are called for all their inputs to make a task exact.
 constexpr double kCheap = 500;
