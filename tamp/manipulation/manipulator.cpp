@@ -49,9 +49,11 @@ ActionResult Manipulator::run(bool pick, const World& world, int body, const Pos
     }
     SkillSpace& space = *memory_->space;
     const std::pair key(space.standing(body, pose), space.held(body, grasp));
-    Site& site = memory_->sites.try_emplace(key, space, body, pose, grasp).first->second;
+    const auto find_site = [&]() -> Site& {
+        return memory_->sites.try_emplace(key, space, body, pose, grasp).first->second;
+    };
     const auto skill = pick ? SkillRun::Skill::pick : SkillRun::Skill::place;
-    return SkillRun(space, site, skill, world, body, pose, grasp, budget, variation).run();
+    return SkillRun(space, skill, world, body, pose, grasp, budget, variation).run(find_site);
 }
 
 ActionResult Manipulator::pick(const World& world, int body, const Grasp& grasp, const Budget& budget,

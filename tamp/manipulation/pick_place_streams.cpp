@@ -38,8 +38,8 @@ class PickPlace {
         const std::string names = "'" + call.inputs[0].name() + "' in '" + where.name + "'";
         if (call.attempt >= scene_.scene().placements.count) return StreamResult::exhausted();
         const std::optional<Pose> pose =
-            make_placement(*scene_.scene().world[moved].model, scene_.scene().world, where, call.attempt,
-                           scene_.scene().placements);
+            make_placement(*scene_.scene().world[moved].model, scene_.scene().world, where,
+                           placement_number(moved, call.attempt), scene_.scene().placements);
         if (!pose) return StreamResult::reject({.message = "there is no room for " + names});
         if (!standing_.is_free(moved, *pose, movable_)) {
             return StreamResult::reject(
@@ -69,6 +69,16 @@ class PickPlace {
             if (world[i].model->movable) movable_.push_back(i);
         }
         return BodyChecker(std::make_shared<const World>(world));
+    }
+
+    /// Every body begins with another of the places, so that several do not want the same one first.
+    std::uint32_t placement_number(int body, std::uint32_t attempt) const {
+        const PlacementOptions& options = scene_.scene().placements;
+        const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(options.yaws.size(), 1));
+        const std::uint32_t places = (options.count + turns - 1) / turns;
+        const std::uint32_t begin = attempt / places * places;
+        const std::uint32_t size = std::min(places, options.count - begin);
+        return begin + (attempt - begin + static_cast<std::uint32_t>(body)) % size;
     }
 
     GraspOptions grasp_options(int body) const {

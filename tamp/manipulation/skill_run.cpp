@@ -15,11 +15,10 @@ Path reversed(Path path) {
 
 }  // namespace
 
-SkillRun::SkillRun(SkillSpace& space, Site& site, Skill skill, const World& world, int body, const Pose& pose,
+SkillRun::SkillRun(SkillSpace& space, Skill skill, const World& world, int body, const Pose& pose,
                    const Grasp& grasp, const Budget& budget, std::uint64_t variation)
     : space_(space),
       model_(space.model()),
-      site_(site),
       skill_(skill),
       body_(body),
       pose_(pose),
@@ -36,25 +35,42 @@ SkillRun::SkillRun(SkillSpace& space, Site& site, Skill skill, const World& worl
     }
 }
 
-ActionResult SkillRun::run() {
+ActionResult SkillRun::run(const std::function<Site&()>& find_site) {
     const auto failed = [&] {
         ActionFailure failure = log_.take();
         failure.world = skill_ == Skill::pick ? standing_world_ : holding_world_;
         return ActionResult{std::nullopt, std::move(failure)};
     };
+    if (is_taken()) return failed();
+    site_ = &find_site();
     if (hand_fails()) return failed();
-    for (Stance& stance : site_.stances()) {
+    for (Stance& stance : site_->stances()) {
         if (out_of_budget()) break;
         if (try_stance(stance)) return {std::move(motion_), {}};
     }
     return failed();
 }
 
+bool SkillRun::is_taken() {
+    std::vector<int> bodies;
+    for (const Other& other : others_)
+        if (space_.touch(body_, pose_, other.body, (*standing_world_)[other.body].pose))
+            bodies.push_back(other.body);
+    if (bodies.empty()) return false;
+    ActionFailure why{.reason = Reason::collision};
+    for (const int body : bodies)
+        why.contacts.push_back({{Participant::Kind::body, std::min(body, body_)},
+                                {Participant::Kind::body, std::max(body, body_)}});
+    why.message = "the place is taken by '" + (*standing_world_)[bodies.front()].model->name + "'";
+    log_.add_blocked(std::move(bodies), why);
+    return true;
+}
+
 std::vector<int> SkillRun::hand_stoppers(std::size_t part, const ActionFailure*& why) {
     std::vector<int> bodies;
     for (const Other& other : others_) {
         const Pose& pose = (*standing_world_)[other.body].pose;
-        const ActionFailure* stopped = site_.stopped(part, other.body, pose, other.standing);
+        const ActionFailure* stopped = site_->stopped(part, other.body, pose, other.standing);
         if (stopped == nullptr) continue;
         bodies.push_back(other.body);
         if (why == nullptr) why = stopped;
@@ -67,7 +83,7 @@ std::vector<int> SkillRun::arm_stoppers(std::size_t part, const Stance& stance, 
     std::vector<int> bodies;
     for (const Other& other : others_) {
         const Pose& pose = (*standing_world_)[other.body].pose;
-        const ActionFailure* stopped = site_.stopped(part, stance, way, other.body, pose, other.standing);
+        const ActionFailure* stopped = site_->stopped(part, stance, way, other.body, pose, other.standing);
         if (stopped == nullptr) continue;
         bodies.push_back(other.body);
         if (why == nullptr) why = stopped;
@@ -86,8 +102,8 @@ const SkillRun::Stopped& SkillRun::lift_stoppers(std::size_t lift) {
 
 /// The hand alone is stopped.
 bool SkillRun::hand_fails() {
-    if (site_.failure()) {
-        log_.add_fixed(*site_.failure());
+    if (site_->failure()) {
+        log_.add_fixed(*site_->failure());
         return true;
     }
     const ActionFailure* why = nullptr;
@@ -97,9 +113,9 @@ bool SkillRun::hand_fails() {
         return true;
     }
     for (std::size_t i = 0; i < kLifts; ++i)
-        if (site_.can_lift(i) && lift_stoppers(i).bodies.empty()) return false;
+        if (site_->can_lift(i) && lift_stoppers(i).bodies.empty()) return false;
     for (std::size_t i = 0; i < kLifts; ++i)
-        if (site_.can_lift(i)) log_.add_blocked(lift_stoppers(i).bodies, *lift_stoppers(i).why);
+        if (site_->can_lift(i)) log_.add_blocked(lift_stoppers(i).bodies, *lift_stoppers(i).why);
     return true;
 }
 
@@ -125,7 +141,7 @@ bool SkillRun::try_stance(Stance& stance) {
     const auto count = static_cast<std::uint64_t>(model_.options.arm_configurations);
     for (std::uint64_t i = 0; i < count; ++i) {
         if (out_of_budget()) return false;
-        Way& way = site_.way(stance, variation_ * count + i);
+        Way& way = site_->way(stance, variation_ * count + i);
         if (way.arm.empty()) {
             if (i == 0) log_.add_fixed(*way.failure);
             return false;
@@ -149,8 +165,8 @@ bool SkillRun::try_way(Stance& stance, Way& way) {
     std::size_t lift = 0;
     std::vector<Stopped> stopped;
     for (; lift < kLifts; ++lift) {
-        if (!site_.can_lift(lift)) continue;
-        if (site_.lift(stance, way, lift).empty()) continue;
+        if (!site_->can_lift(lift)) continue;
+        if (site_->lift(stance, way, lift).empty()) continue;
         Stopped by = lift_stoppers(lift);
         const std::vector<int> of_arm = arm_stoppers(1 + lift, stance, way, by.why);
         by.bodies.insert(by.bodies.end(), of_arm.begin(), of_arm.end());
@@ -195,14 +211,14 @@ bool SkillRun::confirm(const Stance& stance, const Way& way, std::size_t lift) {
     std::vector<SkillSpace::Id> near;
     std::vector<int> bodies;
     for (const Other& other : others_) {
-        if (!site_.is_near(other.body, (*standing_world_)[other.body].pose)) continue;
+        if (!site_->is_near(other.body, (*standing_world_)[other.body].pose)) continue;
         near.push_back(other.standing);
         bodies.push_back(other.body);
     }
     if (near.empty()) return true;
     const bool certified = model_.options.certified;
     if (is_path_free(*space_.checker_among(near, {}, stance.base), way.back, certified) &&
-        is_path_free(*space_.checker_among(near, site_.held(), stance.base), *way.lifts[lift], certified)) {
+        is_path_free(*space_.checker_among(near, site_->held(), stance.base), *way.lifts[lift], certified)) {
         return true;
     }
     log_.add_no_path(bodies, {.reason = Reason::collision,
@@ -216,7 +232,7 @@ bool SkillRun::is_free_of_others(KnownPath& known, const Stance& stance, bool ho
     for (const Other& other : others_)
         if (!known.free_of.contains(other.standing)) unknown.push_back(other.standing);
     if (unknown.empty()) return true;
-    const auto held = holding ? std::optional(site_.held()) : std::nullopt;
+    const auto held = holding ? std::optional(site_->held()) : std::nullopt;
     if (!is_path_free(*space_.checker_among(unknown, held, stance.base), known.found.path,
                       model_.options.certified)) {
         return false;
@@ -230,7 +246,7 @@ std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stan
     const Configuration rest = home(stance, holding);
     const Configuration start = model_.robot->extract(model_.group(model_.arm), rest);
     if (!known) {
-        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_.standing(), site_.held(),
+        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_->standing(), site_->held(),
                             stance.base};
         known.emplace();
         known->found = start == end ? MotionResult{.status = MotionStatus::solved, .path = {start}}
@@ -331,7 +347,7 @@ std::unique_ptr<CollisionChecker> SkillRun::checker(bool holding, int group, con
 }
 
 Configuration SkillRun::home(const Stance& stance, bool holding) const {
-    return holding ? space_.home(stance.base, site_.held()) : space_.home(stance.base);
+    return holding ? space_.home(stance.base, site_->held()) : space_.home(stance.base);
 }
 
 bool SkillRun::out_of_budget() {

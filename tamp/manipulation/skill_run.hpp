@@ -2,6 +2,7 @@
 // of the one that works. To place a body is to pick it from where it shall stand, backwards.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,10 +18,11 @@ class SkillRun {
 
     /// `body` stands at `pose` before it is picked, and after it is placed; where it stands in `world` means
     /// nothing.
-    SkillRun(SkillSpace& space, Site& site, Skill skill, const World& world, int body, const Pose& pose,
-             const Grasp& grasp, const Budget& budget, std::uint64_t variation);
+    SkillRun(SkillSpace& space, Skill skill, const World& world, int body, const Pose& pose, const Grasp& grasp,
+             const Budget& budget, std::uint64_t variation);
 
-    ActionResult run();
+    /// `find_site` is called if the place is not taken.
+    ActionResult run(const std::function<Site&()>& find_site);
 
   private:
     using Kind = TrajectoryDocument::Motion;
@@ -37,6 +39,8 @@ class SkillRun {
     };
     using Stoppers = std::array<std::optional<Stopped>, kLifts>;
 
+    /// Something stands where the body shall stand.
+    bool is_taken();
     /// Those that each stop a part of the way of the hand alone; `why`: how the first does.
     std::vector<int> hand_stoppers(std::size_t part, const ActionFailure*& why);
     std::vector<int> arm_stoppers(std::size_t part, const Stance& stance, Way& way, const ActionFailure*& why);
@@ -64,7 +68,7 @@ class SkillRun {
 
     SkillSpace& space_;
     const ManipulatorModel& model_;
-    Site& site_;
+    Site* site_ = nullptr;
     Skill skill_;
     int body_;
     Pose pose_;

@@ -35,6 +35,8 @@ SkillSpace::SkillSpace(const ManipulatorModel& model, const World& world)
     std::iota(all_links_.begin(), all_links_.end(), 0);
     for (int body = 0; body < static_cast<int>(world.size()); ++body)
         if (!world[body].model->movable) fixed_.push_back(body);
+    for (const BodyState& state : world.bodies())
+        solids_.push_back(state.model->movable ? model.solids()->make(state.model->shapes) : std::vector<Solid>());
     base(model.base < 0 ? Configuration() : model.robot->extract(model.group(model.base), model.home));
 }
 
@@ -153,6 +155,22 @@ std::shared_ptr<CollisionChecker> SkillSpace::make(const ProbeOf& probe) const {
     problem.group = arm ? model_.arm : hand_.group;
     problem.rest = arm ? rest : hand_.rest(rest);
     return make_fast_checker(problem, model_.solids());
+}
+
+bool SkillSpace::touch(int first, const Pose& first_pose, int second, const Pose& second_pose) const {
+    using Kind = Participant::Kind;
+    for (const Solid& one : solids_[static_cast<std::size_t>(first)]) {
+        const Pose one_pose = first_pose * one.pose;
+        const AxisBox box = moved(one.extent, one_pose);
+        for (const Solid& other : solids_[static_cast<std::size_t>(second)]) {
+            const Pose other_pose = second_pose * other.pose;
+            if (box.overlaps(moved(other.extent, other_pose)) &&
+                tamp::touch(one, one_pose, other, other_pose)) {
+                return !world_.allowed({Kind::body, first}, {Kind::body, second});
+            }
+        }
+    }
+    return false;
 }
 
 /// Checked a little to every side, too, since an arm follows a straight line not quite exactly.

@@ -11,6 +11,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "tamp/collision/solid.hpp"
 #include "tamp/manipulation/action_motion.hpp"
 #include "tamp/manipulation/flying_hand.hpp"
 #include "tamp/manipulation/manipulator_model.hpp"
@@ -61,6 +62,8 @@ class SkillSpace {
     /// The first contact on a path that is not free: "PHASE is in collision: ..."; not definite where none
     /// shows. Contacts are of the whole robot and the given world; there is no configuration of a hand alone.
     ActionFailure explain(const ProbeOf& probe, const Path& path, const std::string& phase);
+    /// Whether two movable bodies touch where they stand.
+    bool touch(int first, const Pose& first_pose, int second, const Pose& second_pose) const;
     /// Whether the open hand gets to the body by this grasp, and back, without touching it.
     bool fits(Id held);
     /// The robot, with the open hand or holding a body, among some that stand and no others.
@@ -90,6 +93,7 @@ class SkillSpace {
     const ManipulatorModel& model_;
     World world_;  ///< as it was given
     std::vector<int> fixed_;
+    std::vector<std::vector<Solid>> solids_;  ///< of movable bodies, by body
     FlyingHand hand_;
     std::vector<int> all_links_;
     std::shared_ptr<const Robot> bare_arm_;

@@ -5,6 +5,7 @@
 
 #include "search/thread_time.hpp"
 #include "tamp/refine/plan_cost.hpp"
+#include "tamp/refine/reachable.hpp"
 
 namespace praxis::tamp {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kMostReasons = 20;
 constexpr std::uint32_t kMostCopies = 4;
-constexpr std::uint32_t kFirstAttempts = 16;
+constexpr std::uint32_t kFirstAttempts = 32;
 constexpr std::uint32_t kLargestShift = 20;
 /// Streams up to this effort, in microseconds, are called for all their inputs to make a task exact.
 constexpr double kCheap = 500;
@@ -60,6 +61,7 @@ Refinement Refiner::run() {
         if (!task) return finish(End::stopped);
         end = work(*task, last ? 0xffffffff : 2);
         if (end == End::proved && !exact(*task)) end = End::stuck;
+        if (end == End::unreachable) return finish(End::proved);
         if (end == End::solved || end == End::proved || end == End::stopped) return finish(end);
         if (!may_be_exact) continue;
         may_be_exact = false;
@@ -71,7 +73,7 @@ Refinement Refiner::run() {
         if (!exact(*exact_task)) continue;
         result_.statistics.exact = true;
         end = work(*exact_task, 0xffffffff);
-        return finish(end);
+        return finish(end == End::unreachable ? End::proved : end);
     }
     return finish(end);
 }
@@ -82,6 +84,8 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
     definite_.clear();
     soft_.clear();
     waiting_.clear();
+    examined_ = 0;
+    forbidden_.clear();
     round_ = 0;
     OptimisticTask optimistic = instantiate(*problem_.task, samples_, options, budget_);
     if (budget_.exhausted() != Stop::none) return std::nullopt;
@@ -109,6 +113,7 @@ Refiner::End Refiner::work(const SymbolicTask& task, std::uint32_t rounds) {
     std::vector<Nogood> nogoods;
     for (;;) {
         if (budget_.exhausted() != Stop::none) return End::stopped;
+        if (is_hopeless(task)) return End::unreachable;
         SymbolicTask::Found found;
         {
             const Stopwatch watch(statistics.search_seconds);
@@ -185,6 +190,20 @@ bool Refiner::attempt(const SymbolicTask& task, const Skeleton& skeleton, std::u
         for (Lesson& lesson : learn(*problem_.task, task, skeleton, std::move(outcome)))
             lessons.push_back(std::move(lesson));
     return false;
+}
+
+bool Refiner::is_hopeless(const SymbolicTask& task) {
+    if (!problem_.options.prove_infeasible || !task.optimistic().complete) return false;
+    bool news = false;
+    for (; examined_ < definite_.size(); ++examined_) {
+        const Nogood& nogood = definite_[examined_];
+        if (nogood.events.size() != 1 || !nogood.events.front().facts.empty()) continue;
+        if (!nogood.events.front().op.valid()) continue;
+        forbidden_.resize(task.ground().operator_count());
+        forbidden_[nogood.events.front().op.index()] = true;
+        news = true;
+    }
+    return news && is_free_of_equality(task.lifted()) && !is_goal_reachable(task.ground(), forbidden_);
 }
 
 bool Refiner::remember(const std::vector<Lesson>& lessons) {

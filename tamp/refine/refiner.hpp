@@ -19,7 +19,7 @@ class Refiner {
 
   private:
     /// How the work on one symbolic task ended.
-    enum class End { solved, proved, stuck, patience, stopped };
+    enum class End { solved, proved, unreachable, stuck, patience, stopped };
 
     /// A skeleton that failed for now.
     struct Waiting {
@@ -37,6 +37,9 @@ class Refiner {
     bool try_again(const SymbolicTask& task);
     bool attempt(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t tries,
                  std::vector<Lesson>& lessons);
+    /// Actions that failed for good, whatever holds, keep the goal out of reach, however many values are
+    /// sampled.
+    bool is_hopeless(const SymbolicTask& task);
     /// False: all of it was known.
     bool remember(const std::vector<Lesson>& lessons);
     void report(const SymbolicTask& task, const Skeleton& skeleton, const SampleOutcome& outcome);
@@ -51,6 +54,8 @@ class Refiner {
     std::vector<Nogood> definite_;
     std::vector<Nogood> soft_;
     std::vector<Waiting> waiting_;
+    std::size_t examined_ = 0;  ///< of the definite nogoods, by `is_hopeless`
+    std::vector<bool> forbidden_;  ///< operators that are never possible
     std::uint32_t round_ = 0;
     std::vector<std::string> reasons_;  ///< of definite failures
     std::vector<std::string> doubts_;   ///< of others
