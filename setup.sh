@@ -2,6 +2,7 @@
 # Sets everything up on Debian 12 (or a relative of it): installs the packages that are missing, builds, and, if asked, tests.
 #
 #   ./setup.sh            what is needed to plan: packages, and build/bin/plan
+#   ./setup.sh --tamp     the same with task and motion planning: plan refine (more packages, and a longer build)
 #   ./setup.sh --test     the same, and what the tests need; then builds and runs all of them
 #   ./setup.sh --packages [--all]    only the packages (--all: also those for tests, clang, fuzzing and benchmarks)
 set -euo pipefail
@@ -18,18 +19,21 @@ other_packages=(clang libclang-rt-14-dev libbenchmark-dev python3)
 
 mode=plan
 all=false
+tamp=false
 for argument in "$@"; do
     case $argument in
+        --tamp) tamp=true ;;
         --test) mode="test" ;;
         --packages) mode=packages ;;
         --all) all=true ;;
-        -h | --help) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 0 ;;
+        -h | --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
         *) echo "setup.sh: unknown option '$argument' (try --help)" >&2; exit 2 ;;
     esac
 done
 
 packages=("${plan_packages[@]}")
 if [ $mode = test ] || $all; then packages+=("${test_packages[@]}" "${tamp_packages[@]}"); fi
+if $tamp && [ $mode = plan ]; then packages+=("${tamp_packages[@]}"); fi
 if $all; then packages+=("${other_packages[@]}"); fi
 
 install_packages() {
@@ -69,8 +73,15 @@ install_packages "${packages[@]}"
 # The progress of the build is for people; a result on standard output stays clean.
 if [ $mode = plan ]; then
     # A build folder that has tests keeps them; a new one is set up for the command alone.
-    if [ ! -f build/CMakeCache.txt ]; then configure -DPRAXIS_BUILD_TESTS=OFF; else configure; fi
-    cmake --build build --target plan >&2
+    options=()
+    [ -f build/CMakeCache.txt ] || options+=(-DPRAXIS_BUILD_TESTS=OFF)
+    targets=(plan)
+    if $tamp; then
+        options+=(-DPRAXIS_BUILD_TAMP=ON)
+        targets+=(plan-refine)
+    fi
+    configure "${options[@]}"
+    cmake --build build --target "${targets[@]}" >&2
 else
     configure -DPRAXIS_BUILD_TESTS=ON
     cmake --build build >&2

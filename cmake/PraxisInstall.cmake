@@ -1,4 +1,4 @@
-# cmake --install and find_package(praxis): the command, the three libraries and their headers.
+# cmake --install and find_package(praxis): the command, the libraries and their headers.
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/praxis)
@@ -18,6 +18,17 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/parser ${PROJECT_SOURCE_DIR}/search ${PR
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/praxis
         FILES_MATCHING PATTERN "*.hpp" PATTERN "belief/perception" EXCLUDE)
 install(EXPORT praxis-targets NAMESPACE praxis:: DESTINATION ${config_dir})
+if(PRAXIS_BUILD_TAMP)
+  set_target_properties(praxis_tamp PROPERTIES EXPORT_NAME tamp)
+  target_include_directories(praxis_tamp PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/praxis>)
+  target_compile_features(praxis_tamp PUBLIC cxx_std_20)
+  install(TARGETS plan-refine RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS praxis_tamp EXPORT praxis-tamp-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tamp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/praxis
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "tamp/*/web" EXCLUDE)
+  install(EXPORT praxis-tamp-targets NAMESPACE praxis:: DESTINATION ${config_dir})
+endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/praxis-config.cmake.in
                               ${PROJECT_BINARY_DIR}/praxis-config.cmake INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/praxis-config-version.cmake

@@ -1,6 +1,8 @@
 #include "app/refine/refine_output.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -22,7 +24,6 @@ std::string number(double value, const char* format = "%.6g") {
     return text;
 }
 
-/// A document that stops where a plan would begin has no motion to export.
 template <class Write>
 bool write(const std::string& file, Write&& write_text) {
     if (file.empty()) return false;
@@ -30,6 +31,22 @@ bool write(const std::string& file, Write&& write_text) {
     write_text(text);
     write_file(file, text.str());
     return file == "-";
+}
+
+/// The failures that happened most often, whatever the action.
+std::string frequent_failures(const Refinement& refinement) {
+    constexpr std::size_t kMost = 6;
+    std::map<std::string, std::uint64_t> counts;
+    for (const Attempt& attempt : refinement.attempts)
+        counts[attempt.stream + ": " +
+               (attempt.message.empty() ? std::string(to_string(attempt.reason)) : attempt.message)] +=
+            attempt.count;
+    std::vector<std::pair<std::string, std::uint64_t>> sorted(counts.begin(), counts.end());
+    std::ranges::stable_sort(sorted, std::ranges::greater{}, &std::pair<std::string, std::uint64_t>::second);
+    if (sorted.size() > kMost) sorted.resize(kMost);
+    std::string text;
+    for (const auto& [what, count] : sorted) text += "\n  " + what + " (" + std::to_string(count) + " times)";
+    return text.empty() ? text : "\nwhat failed most often:" + text;
 }
 
 }  // namespace
@@ -45,6 +62,7 @@ std::string plan_text(const Solution& solution) {
     text += "; cost = " + number(plan.cost) + "\n";
     text += "; motion = " + number(solution.document.duration(), "%.3f") + " s\n";
     for (const auto& [name, value] : solution.document.values) {
+        if (value.kind == "motion") continue;  // the times of the actions
         text += "; " + name + " = " + value.kind;
         for (const double part : value.numbers) text += " " + number(part);
         text += "\n";
@@ -57,7 +75,7 @@ std::string failure_text(const Refinement& refinement) {
                            ? "infeasible at this discretisation, because"
                            : "no plan was found";
     for (const std::string& reason : refinement.reasons) text += "\n  " + reason;
-    return text;
+    return text + frequent_failures(refinement);
 }
 
 std::string refine_json(const Solution& solution) {

@@ -45,8 +45,8 @@ struct Side {
     kernel::Model view;
     Scratch scratch;
 
-    Side(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache)
-        : model(problem, side, change, cache), view(model.view()), scratch(view) {}
+    Side(const CollisionProblem& problem, BallSide side, SolidCache& cache)
+        : model(problem, side, cache), view(model.view()), scratch(view) {}
     Side(const Side&) = delete;
     Side& operator=(const Side&) = delete;
 
@@ -116,25 +116,24 @@ class FastChecker final : public CollisionChecker {
     FastChecker(const CollisionProblem& problem, std::shared_ptr<SolidCache> cache)
         : problem_(checked(problem)),
           cache_(cache ? std::move(cache) : make_solid_cache()),
+          exact_(make_fcl_checker(problem_, cache_)),
           turning_(turning_variables(problem_)),
-          outer_(problem_, BallSide::outer, PairChange::moving, *cache_) {
-        if (!outer_.model.exact()) inner_.emplace(problem_, BallSide::inner, PairChange::moving, *cache_);
-        Side fixed(problem_, BallSide::outer, PairChange::fixed, *cache_);
-        if (fixed.collisions(Positions{}) != 0) fixed_contacts_ = exact().fixed_contacts();
+          outer_(problem_, BallSide::outer, *cache_) {
+        if (!outer_.model.exact()) inner_.emplace(problem_, BallSide::inner, *cache_);
     }
 
     const CollisionProblem& problem() const override { return problem_; }
 
     bool is_free(std::span<const double> positions) override {
         require(positions);
-        if (!fixed_contacts_.empty()) return false;
+        if (!fixed_contacts().empty()) return false;
         Positions lanes;
         for (std::size_t v = 0; v < positions.size(); ++v) {
             std::fill_n(&lanes.v[v * kLanes], kLanes, static_cast<float>(wrapped(v, positions[v])));
         }
         if (outer_.collisions(lanes) == 0) return true;
         if (!inner_ || inner_->collisions(lanes) != 0) return false;
-        return exact().is_free(positions);
+        return exact_->is_free(positions);
     }
 
     bool is_motion_free(std::span<const double> from, std::span<const double> to, double step) override {
@@ -147,8 +146,8 @@ class FastChecker final : public CollisionChecker {
 
     bool is_motion_certified(std::span<const double> from, std::span<const double> to) override {
         const Segment segment = make_segment(from, to);
-        if (!fixed_contacts_.empty()) return false;
-        kernel::functions().speeds(outer_.view, segment.change.data(), speeds_.v.data());
+        if (!fixed_contacts().empty()) return false;
+        turn_ = kernel::functions().sweeps(outer_.view, segment.change.data(), sweeps_.v.data());
         const int first = std::max(1, static_cast<int>(std::ceil(segment.length / kFirstStretch)));
         const float width = 0.5F / static_cast<float>(first);
         open_.clear();
@@ -161,17 +160,12 @@ class FastChecker final : public CollisionChecker {
     }
 
     void find_contacts(std::span<const double> positions, std::vector<Contact>& contacts) override {
-        exact().find_contacts(positions, contacts);
+        exact_->find_contacts(positions, contacts);
     }
 
-    const std::vector<Contact>& fixed_contacts() const override { return fixed_contacts_; }
+    const std::vector<Contact>& fixed_contacts() const override { return exact_->fixed_contacts(); }
 
   private:
-    CollisionChecker& exact() {
-        if (!exact_) exact_ = make_fcl_checker(problem_, cache_);
-        return *exact_;
-    }
-
     void require(std::span<const double> positions) const {
         if (positions.size() != turning_.size()) {
             throw std::invalid_argument(std::to_string(positions.size()) + " positions for a group of " +
@@ -207,7 +201,7 @@ class FastChecker final : public CollisionChecker {
         if (!(step >= 1e-6))
             throw std::invalid_argument("the step of a motion's check must be at least 1e-6");
         const Segment segment = make_segment(from, to);
-        if (!fixed_contacts_.empty()) return false;
+        if (!fixed_contacts().empty()) return false;
         const double configurations = std::ceil(segment.length / step - 1e-9) + (with_start ? 1 : 0);
         const int rakes = std::max(1, static_cast<int>(std::ceil(configurations / kLanes)));
         if (!inner_) {
@@ -233,7 +227,7 @@ class FastChecker final : public CollisionChecker {
     bool is_exactly_free(std::span<const double> from, std::span<const double> to, double t) {
         point_.resize(from.size());
         for (std::size_t v = 0; v < from.size(); ++v) point_[v] = from[v] + t * (to[v] - from[v]);
-        return exact().is_free(point_);
+        return exact_->is_free(point_);
     }
 
     /// Of the lanes in `doubtful`, which the covering balls say collide: does every one not?
@@ -275,7 +269,7 @@ class FastChecker final : public CollisionChecker {
         open_.resize(open_.size() - count);
         const unsigned unproved = kernel::functions().swept_collisions(
             outer_.view, segment.from.data(), segment.change.data(), t.v.data(), width.v.data(),
-            speeds_.v.data(), outer_.scratch.get());
+            sweeps_.v.data(), turn_, outer_.scratch.get());
         unsigned last_ones = 0;
         for (std::size_t lane = 0; lane < count; ++lane) {
             if ((unproved >> lane & 1U) == 0) continue;
@@ -296,14 +290,14 @@ class FastChecker final : public CollisionChecker {
 
     CollisionProblem problem_;
     std::shared_ptr<SolidCache> cache_;
+    std::unique_ptr<CollisionChecker> exact_;
     std::vector<bool> turning_;
     Side outer_;
     std::optional<Side> inner_ = {};
-    Aligned<kernel::kMaxParts> speeds_ = {};
+    Aligned<kernel::kMaxParts> sweeps_ = {};  ///< of the segment that is being certified
+    float turn_ = 0;
     std::vector<Stretch> open_ = {};
     Configuration point_ = {};
-    std::unique_ptr<CollisionChecker> exact_ = {};
-    std::vector<Contact> fixed_contacts_ = {};
 };
 
 }  // namespace

@@ -16,14 +16,9 @@ const Functions& functions() {
 #endif
 
 int scratch_size(const Model& model) {
-    int points = model.part_count;
-    for (int p = 0; p < model.part_count; ++p) {
-        const Part& part = model.parts[p];
-        points += part.cluster_count;
-        for (int c = 0; c < part.cluster_count; ++c)
-            points += model.clusters[part.first_cluster + c].ball_count;
-    }
-    return (12 * model.frame_count + 3 * points) * kLanes;
+    int points = model.part_count + model.cluster_count;
+    for (int c = 0; c < model.cluster_count; ++c) points += model.clusters[c].ball_count;
+    return (18 * model.frame_count + 3 * points + model.part_count) * kLanes;
 }
 
 }  // namespace praxis::tamp::kernel

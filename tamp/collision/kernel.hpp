@@ -34,15 +34,26 @@ struct Frame {
     float offset;
     float rotation[9];  ///< row by row: of this frame at position 0 in its parent
     float translation[3];
+    int by_quarters;  ///< rotation by quarter turns: axis i is, in the parent, sign[i] times axis source[i]
+    int source[3];
+    float sign[3];
 };
 
-/// By what is cheapest to test. `upright` means: local z is the world's z.
-enum ObstacleKind { sphere, upright_box, box, upright_cylinder, cylinder, capsule, kObstacleKinds };
+/// `upright` means: local z is the world's z.
+enum ObstacleKind { sphere, upright_box, box, upright_cylinder, cylinder, capsule };
 
 struct Obstacle {
+    ObstacleKind kind;
     float center[3];
     float axes[9];  ///< row i: local axis i in the world
     float size[3];  ///< box: half sides; others: radius, half length
+};
+
+/// Boxes along the world's axes around eight obstacles; where there is none the box is turned inside out, so
+/// that it meets nothing. Aligned to 32 bytes.
+struct alignas(32) ObstacleBoxes {
+    float lower[3][kLanes];
+    float upper[3][kLanes];
 };
 
 /// Distances to what is occupied, by cells; outside of the box nothing is.
@@ -65,9 +76,11 @@ struct Cluster {
 struct Part {
     int frame;  ///< or -1: the world
     Ball bound;
+    float spread;  ///< of the centres of its balls, from that of the bound
     int first_cluster;
     int cluster_count;
-    int first_obstacle[kObstacleKinds + 1];  ///< those of kind k: from [k] to before [k + 1]
+    int first_boxes;  ///< block of obstacles; obstacle i of block b is number 8 b + i
+    int boxes_count;
     int first_grid;
     int grid_count;
 };
@@ -81,17 +94,22 @@ struct Model {
     int variable_count;
     int frame_count;
     int part_count;
+    int cluster_count;
     int pair_count;
     const Frame* frames;
     const Part* parts;
     const Cluster* clusters;
     const Ball* balls;
     const Obstacle* obstacles;
+    const ObstacleBoxes* boxes;
     const Grid* grids;
     const PartPair* pairs;
     /// For each variable of the group, and then for each part (padded to `lever_stride`): at least the metres
-    /// that a ball's centre of the part moves for a radian or metre of the variable. Aligned to 32 bytes.
+    /// that a ball's centre of the part moves for a radian or metre of the variable; twice that for slides
+    /// that others turn. Aligned to 32 bytes.
     const float* levers;
+    /// For each variable: at least the radians that a frame turns for a radian or metre of it.
+    const float* turns;
 };
 
 /// Limits of a model: parts, and variables of a group.
@@ -113,20 +131,20 @@ struct Functions {
 
     /// No collision at 8 * rakes configurations, evenly spaced on the segment that begins at `from` and leads
     /// by `change` to its end: with the end, and with `from` itself if `with_start`. A rake is eight
-    /// configurations spread over the whole segment. The first one surveys the stretches around its
-    /// configurations: those that are proved free (as below) are not looked at again, and of the others only
-    /// what came near.
+    /// configurations spread over the whole segment.
     bool (*motion_free)(const Model& model, const float* from, const float* change, int rakes,
                         bool with_start, float* scratch);
 
     /// Of every part (`lever_stride` of them), an upper bound on how far any of its balls moves over a
-    /// segment.
-    void (*speeds)(const Model& model, const float* change, float* result);
+    /// segment. Returns one on how far any frame turns.
+    float (*sweeps)(const Model& model, const float* change, float* result);
 
     /// Bit i: the segment may collide at a place between t[i] - width[i] and t[i] + width[i] (as parts of
-    /// it). A bit that is not set is a proof.
+    /// it). A bit that is not set is a proof: every ball was grown by how far it can get within the stretch,
+    /// given its speed in the middle and a bound on its acceleration. `sweeps` and `turn` are what the
+    /// function above has found.
     unsigned (*swept_collisions)(const Model& model, const float* from, const float* change, const float* t,
-                                 const float* width, const float* part_speeds, float* scratch);
+                                 const float* width, const float* sweeps, float turn, float* scratch);
 
     /// Place of the point that is nearest to `query` (the first of those), and the square of its distance.
     /// Points come in blocks of eight, aligned to 32 bytes: eight numbers of the first coordinate, eight of

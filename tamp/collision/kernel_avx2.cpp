@@ -8,7 +8,7 @@
 namespace praxis::tamp::kernel {
 
 const Functions& avx2_functions() {
-    static constexpr Functions table = {"avx2", collisions, motion_free, speeds, swept_collisions, nearest};
+    static constexpr Functions table = {"avx2", collisions, motion_free, sweeps, swept_collisions, nearest};
     return table;
 }
 

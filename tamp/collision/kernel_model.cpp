@@ -10,6 +10,7 @@
 
 #include "tamp/collision/signed_distance.hpp"
 #include "tamp/geometry/cover.hpp"
+#include "tamp/geometry/extent.hpp"
 #include "tamp/scenes/occupancy_map.hpp"
 
 namespace praxis::tamp {
@@ -25,10 +26,12 @@ constexpr double kReachPadding = 0.01;
 struct Piece {
     Participant who = {};
     int carrier = 0;  ///< the link itself, or the one that a body is attached to
-    int frame = -1;
+    int frame = 0;
     std::vector<Ball> balls = {};  ///< in the frame
+    std::vector<BallClusters::Cluster> clusters = {};
     Ball bound = {};
-    const std::vector<int>* touching = nullptr;
+    Ball range = {};     ///< where the centres of its balls can get
+    double largest = 0;  ///< radius of a ball
 };
 
 /// Something that stands still.
@@ -36,6 +39,7 @@ struct Standing {
     Participant who = {};
     Pose pose = Pose::Identity();
     const Shape* shape = nullptr;
+    AxisBox box = {};  ///< around a primitive, in the world
 };
 
 struct PlacedLink {
@@ -43,17 +47,10 @@ struct PlacedLink {
     Pose pose = Pose::Identity();  ///< in the frame
 };
 
-bool all_spheres(const std::vector<PlacedShape>& shapes) {
-    return std::ranges::all_of(shapes,
-                               [](const PlacedShape& s) { return std::holds_alternative<Sphere>(s.shape); });
-}
-
-double depth(const std::vector<PlacedShape>& shapes, const Vector3& point) {
-    double deepest = 0;
-    for (const PlacedShape& placed : shapes) {
-        deepest = std::max(deepest, -signed_distance(placed.shape, placed.pose.inverse() * point));
-    }
-    return deepest;
+/// Not a mesh or a map.
+bool is_primitive(const Shape& shape) {
+    return !std::holds_alternative<std::shared_ptr<const Mesh>>(shape) &&
+           !std::holds_alternative<std::shared_ptr<const OccupancyMap>>(shape);
 }
 
 Eigen::Matrix3d turn_z_to(const Vector3& axis) {
@@ -75,61 +72,69 @@ kernel::Ball flat(const Ball& ball, double radius) {
     return result;
 }
 
-struct FlatObstacle {
-    kernel::ObstacleKind kind = kernel::sphere;
-    kernel::Obstacle obstacle = {};
-};
-
 /// The primitive as the kernel sees it; none for meshes and maps.
 struct Flatten {
     bool upright = false;
 
-    std::optional<FlatObstacle> operator()(const Sphere& s) const {
-        return make(kernel::sphere, {s.radius, 0, 0});
-    }
-    std::optional<FlatObstacle> operator()(const Box& b) const {
+    using Result = std::optional<kernel::Obstacle>;
+    Result operator()(const Sphere& s) const { return make(kernel::sphere, {s.radius, 0, 0}); }
+    Result operator()(const Box& b) const {
         return make(upright ? kernel::upright_box : kernel::box, b.size / 2);
     }
-    std::optional<FlatObstacle> operator()(const Cylinder& c) const {
+    Result operator()(const Cylinder& c) const {
         return make(upright ? kernel::upright_cylinder : kernel::cylinder, {c.radius, c.length / 2, 0});
     }
-    std::optional<FlatObstacle> operator()(const Capsule& c) const {
-        return make(kernel::capsule, {c.radius, c.length / 2, 0});
-    }
-    std::optional<FlatObstacle> operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
-    std::optional<FlatObstacle> operator()(const std::shared_ptr<const OccupancyMap>&) const {
-        return std::nullopt;
-    }
+    Result operator()(const Capsule& c) const { return make(kernel::capsule, {c.radius, c.length / 2, 0}); }
+    Result operator()(const std::shared_ptr<const Mesh>&) const { return std::nullopt; }
+    Result operator()(const std::shared_ptr<const OccupancyMap>&) const { return std::nullopt; }
 
-    static FlatObstacle make(kernel::ObstacleKind kind, const Vector3& size) {
-        FlatObstacle result = {.kind = kind};
-        copy(size, result.obstacle.size);
+    static kernel::Obstacle make(kernel::ObstacleKind kind, const Vector3& size) {
+        kernel::Obstacle result = {};
+        result.kind = kind;
+        copy(size, result.size);
         return result;
     }
 };
 
-std::optional<FlatObstacle> flatten_at(const Shape& shape, const Pose& pose) {
+std::optional<kernel::Obstacle> flatten_at(const Shape& shape, const Pose& pose) {
     const bool upright =
         std::abs(pose.linear()(2, 2)) > 1 - 1e-15 && pose.linear().col(2).head<2>().norm() < 1e-9;
-    std::optional<FlatObstacle> result = std::visit(Flatten{upright}, shape);
+    std::optional<kernel::Obstacle> result = std::visit(Flatten{upright}, shape);
     if (!result) return result;
-    copy(pose.translation(), result->obstacle.center);
-    copy_rows(pose.linear().transpose(), result->obstacle.axes);
+    copy(pose.translation(), result->center);
+    copy_rows(pose.linear().transpose(), result->axes);
     return result;
+}
+
+/// Rotations by quarter turns cost the kernel next to nothing. Robot descriptions round their angles.
+void note_quarters(kernel::Frame& frame) {
+    constexpr float kRounding = 1e-8F;
+    for (int column = 0; column < 3; ++column) {
+        int ones = 0;
+        for (int row = 0; row < 3; ++row) {
+            const float x = frame.rotation[3 * row + column];
+            if (std::abs(x) < kRounding) continue;
+            if (std::abs(std::abs(x) - 1) > kRounding) return;
+            frame.source[column] = row;
+            frame.sign[column] = std::copysign(1.0F, x);
+            ++ones;
+        }
+        if (ones != 1) return;
+    }
+    frame.by_quarters = 1;
 }
 
 }  // namespace
 
 class KernelModelBuilder {
   public:
-    KernelModelBuilder(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache,
-                       KernelModel& model)
-        : robot_(*problem.robot),
+    KernelModelBuilder(const CollisionProblem& problem, BallSide side, SolidCache& cache, KernelModel& model)
+        : clusters_(cache.clusters(problem.robot)),
+          robot_(*problem.robot),
           world_(*problem.world),
           group_(robot_.groups[static_cast<std::size_t>(problem.group)]),
           rest_(problem.rest),
           side_(side),
-          change_(change),
           cache_(cache),
           model_(model) {}
 
@@ -142,10 +147,12 @@ class KernelModelBuilder {
                 "the fast checker takes at most 256 moving links and attached bodies");
         }
         collect_standing();
-        if (change_ == PairChange::moving) merge_pieces();
-        model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * extent();
+        merge_pieces();
+        for (Piece& piece : pieces_) measure(piece);
+        model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * farthest();
         flatten_pieces();
         flatten_levers();
+        flatten_turns();
         pair_pieces();
     }
 
@@ -189,59 +196,52 @@ class KernelModelBuilder {
         frame.offset = static_cast<float>(joint.offset);
         copy_rows(at.pose.linear() * turn, frame.rotation);
         copy(at.pose.translation(), frame.translation);
+        note_quarters(frame);
         model_.frames_.push_back(frame);
         joints_.push_back(&joint);
         translations_.push_back(at.pose.translation());
     }
 
-    void add_piece(Participant who, int carrier, const Pose& in_link, const std::vector<PlacedShape>& shapes,
-                   const std::vector<Ball>& balls, const std::vector<int>* touching,
-                   const std::string& name) {
-        if (shapes.empty() && balls.empty()) return;
+    void add_piece(Participant who, int carrier, const Pose& in_link, const BallClusters& clusters,
+                   bool has_cover, const std::string& name) {
+        if (!clusters.exact && !has_cover)
+            throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
+        model_.exact_ = model_.exact_ && clusters.exact;
+        if (clusters.balls.empty()) return;
         const PlacedLink& link = links_[static_cast<std::size_t>(carrier)];
         const Pose pose = link.pose * in_link;
-        Piece piece = {.who = who, .carrier = carrier, .frame = link.frame, .touching = touching};
-        if (all_spheres(shapes) && !shapes.empty()) {
-            for (const PlacedShape& s : shapes) {
-                piece.balls.push_back({pose * s.pose.translation(), std::get<Sphere>(s.shape).radius});
-            }
-        } else {
-            if (balls.empty())
-                throw std::invalid_argument("'" + name + "' has shapes but no balls that cover them");
-            model_.exact_ = false;
-            for (const Ball& ball : balls) {
-                const double radius = side_ == BallSide::outer ? ball.radius : depth(shapes, ball.center);
-                if (radius > 0) piece.balls.push_back({pose * ball.center, radius});
-            }
-        }
-        if (piece.balls.empty()) return;
-        piece.bound = bounding_ball(piece.balls);
+        Piece piece = {.who = who, .carrier = carrier, .frame = link.frame};
+        const auto moved = [&](const Ball& ball) { return Ball{pose * ball.center, ball.radius}; };
+        piece.balls.reserve(clusters.balls.size());
+        for (const Ball& ball : clusters.balls) piece.balls.push_back(moved(ball));
+        for (const auto& cluster : clusters.clusters)
+            piece.clusters.push_back({moved(cluster.bound), cluster.ball_count});
+        piece.bound = moved(clusters.bound);
         pieces_.push_back(std::move(piece));
     }
 
-    bool wanted(int link) const {
-        return change_ == PairChange::fixed || links_[static_cast<std::size_t>(link)].frame >= 0;
-    }
+    bool moves(int link) const { return links_[static_cast<std::size_t>(link)].frame >= 0; }
 
     /// The far end of the robot first: it collides most often.
     void collect_pieces() {
         for (int b = static_cast<int>(world_.size()) - 1; b >= 0; --b) {
             const BodyState& body = world_[b];
-            if (!body.attachment || !wanted(body.attachment->link)) continue;
+            if (!body.attachment || !moves(body.attachment->link)) continue;
             add_piece({Participant::Kind::body, b}, body.attachment->link, body.attachment->in_link,
-                      body.model->shapes, body.model->balls, &body.attachment->touching, body.model->name);
+                      (*cache_.clusters(body.model))[side_], !body.model->balls.empty(), body.model->name);
         }
         for (int l = static_cast<int>(robot_.links.size()) - 1; l >= 0; --l) {
             const Link& link = robot_.links[static_cast<std::size_t>(l)];
-            if (!wanted(l)) continue;
-            add_piece({Participant::Kind::link, l}, l, Pose::Identity(), link.collision, link.balls, nullptr,
-                      link.name);
+            if (!moves(l)) continue;
+            add_piece({Participant::Kind::link, l}, l, Pose::Identity(),
+                      (*clusters_)[static_cast<std::size_t>(l)][side_], !link.balls.empty(), link.name);
         }
     }
 
     void add_standing(Participant who, const Pose& pose, const std::vector<PlacedShape>& shapes) {
         for (const PlacedShape& placed : shapes)
-            standing_.push_back({who, pose * placed.pose, &placed.shape});
+            standing_.push_back({who, pose * placed.pose, &placed.shape,
+                                 is_primitive(placed.shape) ? extent(placed, pose) : AxisBox{}});
     }
 
     void collect_standing() {
@@ -251,11 +251,10 @@ class KernelModelBuilder {
             if (!body.attachment) {
                 add_standing(who, body.pose, body.model->shapes);
             } else if (const PlacedLink& link = links_[static_cast<std::size_t>(body.attachment->link)];
-                       link.frame < 0 && change_ == PairChange::moving) {
+                       link.frame < 0) {
                 add_standing(who, link.pose * body.attachment->in_link, body.model->shapes);
             }
         }
-        if (change_ == PairChange::fixed) return;
         for (int l = 0; l < static_cast<int>(robot_.links.size()); ++l) {
             const PlacedLink& link = links_[static_cast<std::size_t>(l)];
             if (link.frame >= 0) continue;
@@ -275,7 +274,8 @@ class KernelModelBuilder {
                 continue;
             }
             alike->balls.insert(alike->balls.end(), piece.balls.begin(), piece.balls.end());
-            alike->bound = bounding_ball(alike->balls);
+            alike->clusters.insert(alike->clusters.end(), piece.clusters.begin(), piece.clusters.end());
+            alike->bound = bounding_ball(alike->bound, piece.bound);
         }
         pieces_ = std::move(merged);
     }
@@ -312,29 +312,32 @@ class KernelModelBuilder {
         return corner.norm();
     }
 
-    /// The fixed point that the chain of a piece hangs on, and how far from it its balls' centres come.
-    Ball reach(const Piece& piece) const {
+    /// The chain hangs on a fixed point; how far from it do the balls' centres come?
+    void measure(Piece& piece) const {
         double radius = 0;
-        for (const Ball& ball : piece.balls) radius = std::max(radius, ball.center.norm());
+        for (const Ball& ball : piece.balls) {
+            radius = std::max(radius, ball.center.norm());
+            piece.largest = std::max(piece.largest, ball.radius);
+        }
         int frame = piece.frame;
         while (true) {
             const std::size_t at = static_cast<std::size_t>(frame);
             radius += travel(at);
-            if (model_.frames_[at].parent < 0) return {translations_[at], radius};
+            if (model_.frames_[at].parent < 0) {
+                piece.range = {translations_[at], radius};
+                return;
+            }
             radius += translations_[at].norm();
             frame = model_.frames_[at].parent;
         }
     }
 
-    double extent() const {
+    /// How far anything that can matter is from the world's origin.
+    double farthest() const {
         double farthest = 0;
         for (const Piece& piece : pieces_) {
-            if (piece.frame < 0) {
-                farthest = std::max(farthest, piece.bound.center.norm() + piece.bound.radius);
-            } else {
-                const Ball range = reach(piece);
-                farthest = std::max(farthest, range.center.norm() + range.radius + piece.bound.radius);
-            }
+            farthest =
+                std::max(farthest, piece.range.center.norm() + piece.range.radius + piece.bound.radius);
         }
         double center = farthest;
         for (const Standing& standing : standing_) {
@@ -354,8 +357,9 @@ class KernelModelBuilder {
             kernel::Part part = {};
             part.frame = piece.frame;
             part.bound = flat(piece.bound, piece.bound.radius + model_.margin_);
+            part.spread = spread(piece);
             part.first_cluster = static_cast<int>(model_.clusters_.size());
-            flatten_balls(piece.balls);
+            flatten_balls(piece);
             part.cluster_count = static_cast<int>(model_.clusters_.size()) - part.first_cluster;
             collect_obstacles(piece, part);
             model_.parts_.push_back(part);
@@ -363,32 +367,26 @@ class KernelModelBuilder {
         }
     }
 
-    /// Halves along the longest side until clusters are small.
-    void flatten_balls(std::span<Ball> balls) {
-        constexpr std::size_t kLargest = 4;
-        if (balls.size() > kLargest) {
-            Vector3 lower = balls.front().center;
-            Vector3 upper = lower;
-            for (const Ball& ball : balls) {
-                lower = lower.cwiseMin(ball.center);
-                upper = upper.cwiseMax(ball.center);
+    float spread(const Piece& piece) const {
+        double farthest = 0;
+        for (const Ball& ball : piece.balls) {
+            farthest = std::max(farthest, (ball.center - piece.bound.center).norm());
+        }
+        return static_cast<float>(farthest + model_.margin_);
+    }
+
+    void flatten_balls(const Piece& piece) {
+        auto ball = piece.balls.begin();
+        for (const BallClusters::Cluster& from : piece.clusters) {
+            kernel::Cluster cluster = {};
+            cluster.bound = flat(from.bound, from.bound.radius + model_.margin_);
+            cluster.first_ball = static_cast<int>(model_.balls_.size());
+            for (const auto end = ball + static_cast<std::ptrdiff_t>(from.ball_count); ball != end; ++ball) {
+                if (sized(ball->radius) > 0) model_.balls_.push_back(flat(*ball, sized(ball->radius)));
             }
-            Eigen::Index longest = 0;
-            (upper - lower).maxCoeff(&longest);
-            std::ranges::stable_sort(balls, {}, [&](const Ball& ball) { return ball.center[longest]; });
-            flatten_balls(balls.first(balls.size() / 2));
-            flatten_balls(balls.subspan(balls.size() / 2));
-            return;
+            cluster.ball_count = static_cast<int>(model_.balls_.size()) - cluster.first_ball;
+            model_.clusters_.push_back(cluster);
         }
-        kernel::Cluster cluster = {};
-        const Ball bound = bounding_ball(balls);
-        cluster.bound = flat(bound, bound.radius + model_.margin_);
-        cluster.first_ball = static_cast<int>(model_.balls_.size());
-        for (const Ball& ball : balls) {
-            if (sized(ball.radius) > 0) model_.balls_.push_back(flat(ball, sized(ball.radius)));
-        }
-        cluster.ball_count = static_cast<int>(model_.balls_.size()) - cluster.first_ball;
-        model_.clusters_.push_back(cluster);
     }
 
     bool may_touch(const Piece& piece, const Participant& other) const {
@@ -409,36 +407,43 @@ class KernelModelBuilder {
     }
 
     bool reachable(const Piece& piece, const Standing& standing) const {
-        if (piece.frame < 0) return true;
-        const Ball range = reach(piece);
-        double largest = 0;
-        for (const Ball& ball : piece.balls) largest = std::max(largest, ball.radius);
-        const double gap = signed_distance(*standing.shape, standing.pose.inverse() * range.center);
-        return !std::isfinite(gap) || gap <= range.radius + largest + kReachPadding;
+        const double gap = signed_distance(*standing.shape, standing.pose.inverse() * piece.range.center);
+        return !std::isfinite(gap) || gap <= piece.range.radius + piece.largest + kReachPadding;
     }
 
     void collect_obstacles(const Piece& piece, kernel::Part& part) {
-        std::array<std::vector<kernel::Obstacle>, kernel::kObstacleKinds> by_kind;
         std::vector<kernel::Grid> grids;
-        if (change_ == PairChange::moving || piece.frame < 0) {
-            for (const Standing& standing : standing_) {
-                if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
-                if (const auto flattened = flatten_at(*standing.shape, standing.pose)) {
-                    by_kind[flattened->kind].push_back(flattened->obstacle);
-                } else {
-                    grids.push_back(grid_of(standing));
-                }
+        part.first_boxes = static_cast<int>(model_.boxes_.size());
+        std::size_t count = 0;
+        for (const Standing& standing : standing_) {
+            if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
+            if (const auto obstacle = flatten_at(*standing.shape, standing.pose)) {
+                add_obstacle(*obstacle, standing, count++ % kernel::kLanes);
+            } else {
+                grids.push_back(grid_of(standing));
             }
         }
-        for (int kind = 0; kind < kernel::kObstacleKinds; ++kind) {
-            part.first_obstacle[kind] = static_cast<int>(model_.obstacles_.size());
-            const std::vector<kernel::Obstacle>& some = by_kind[static_cast<std::size_t>(kind)];
-            model_.obstacles_.insert(model_.obstacles_.end(), some.begin(), some.end());
-        }
-        part.first_obstacle[kernel::kObstacleKinds] = static_cast<int>(model_.obstacles_.size());
+        part.boxes_count = static_cast<int>(model_.boxes_.size()) - part.first_boxes;
         part.first_grid = static_cast<int>(model_.grids_.size());
         part.grid_count = static_cast<int>(grids.size());
         model_.grids_.insert(model_.grids_.end(), grids.begin(), grids.end());
+    }
+
+    void add_obstacle(const kernel::Obstacle& obstacle, const Standing& standing, std::size_t lane) {
+        constexpr float kNowhere = 1e30F;
+        if (lane == 0) {
+            model_.obstacles_.resize(model_.obstacles_.size() + kernel::kLanes);
+            kernel::ObstacleBoxes& boxes = model_.boxes_.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i) {
+                std::ranges::fill(boxes.lower[i], kNowhere);
+                std::ranges::fill(boxes.upper[i], -kNowhere);
+            }
+        }
+        model_.obstacles_[model_.obstacles_.size() - kernel::kLanes + lane] = obstacle;
+        for (int i = 0; i < 3; ++i) {
+            model_.boxes_.back().lower[i][lane] = static_cast<float>(standing.box.lower[i] - model_.margin_);
+            model_.boxes_.back().upper[i][lane] = static_cast<float>(standing.box.upper[i] + model_.margin_);
+        }
     }
 
     kernel::Grid grid_of(const Standing& standing) {
@@ -478,13 +483,41 @@ class KernelModelBuilder {
             const kernel::Frame& flat_frame = model_.frames_[at];
             const double multiplier = std::abs(joints_[at]->multiplier);
             levers[static_cast<std::size_t>(flat_frame.variable)] +=
-                multiplier * (flat_frame.prismatic != 0 ? 1 : across);
+                multiplier * (flat_frame.prismatic == 0      ? across
+                              : is_turned(flat_frame.parent) ? 2
+                                                             : 1);
             const double slide = travel(at);
             across = translations_[at].head<2>().norm() + slide + beyond;
             beyond = translations_[at].norm() + slide + beyond;
             frame = flat_frame.parent;
         }
         levers_.push_back(std::move(levers));
+    }
+
+    /// Whether a variable turns the frame.
+    bool is_turned(int frame) const {
+        for (; frame >= 0; frame = model_.frames_[static_cast<std::size_t>(frame)].parent) {
+            if (model_.frames_[static_cast<std::size_t>(frame)].prismatic == 0) return true;
+        }
+        return false;
+    }
+
+    /// By each variable, along the chain of frames that it turns most.
+    void flatten_turns() {
+        const std::size_t variables = group_.variables.size();
+        model_.turns_.assign(variables, 0.0F);
+        std::vector<float> turns(model_.frames_.size() * variables, 0.0F);
+        for (std::size_t f = 0; f < model_.frames_.size(); ++f) {
+            const kernel::Frame& frame = model_.frames_[f];
+            const std::size_t parent = static_cast<std::size_t>(std::max(frame.parent, 0));
+            for (std::size_t v = 0; v < variables; ++v) {
+                float& turn = turns[f * variables + v];
+                if (frame.parent >= 0) turn = turns[parent * variables + v];
+                if (frame.prismatic == 0 && frame.variable == static_cast<int>(v))
+                    turn += std::abs(frame.multiplier);
+                model_.turns_[v] = std::max(model_.turns_[v], turn * 1.00001F);
+            }
+        }
     }
 
     void flatten_levers() {
@@ -503,20 +536,18 @@ class KernelModelBuilder {
     void pair_pieces() {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
-                const bool fixed = pieces_[i].frame == pieces_[j].frame;
-                if (fixed != (change_ == PairChange::fixed) || may_touch(pieces_[i], pieces_[j].who))
-                    continue;
+                if (pieces_[i].frame == pieces_[j].frame || may_touch(pieces_[i], pieces_[j].who)) continue;
                 model_.pairs_.push_back({static_cast<int>(i), static_cast<int>(j)});
             }
         }
     }
 
+    std::shared_ptr<const std::vector<CoveringClusters>> clusters_;  ///< of the links
     const Robot& robot_;
     const World& world_;
     const Group& group_;
     const Configuration& rest_;
     BallSide side_;
-    PairChange change_;
     SolidCache& cache_;
     KernelModel& model_;
     std::vector<PlacedLink> links_ = {};
@@ -527,28 +558,30 @@ class KernelModelBuilder {
     std::vector<std::vector<double>> levers_ = {};  ///< of every part, by variable
 };
 
-KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, PairChange change,
-                         SolidCache& cache) {
+KernelModel::KernelModel(const CollisionProblem& problem, BallSide side, SolidCache& cache) {
     if (problem.robot->groups[static_cast<std::size_t>(problem.group)].variables.size() >
         kernel::kMaxVariables) {
         throw std::invalid_argument("the fast checker takes groups of at most 16 variables");
     }
-    KernelModelBuilder(problem, side, change, cache, *this).build();
+    KernelModelBuilder(problem, side, cache, *this).build();
 }
 
 kernel::Model KernelModel::view() const {
     return {.variable_count = variable_count_,
             .frame_count = static_cast<int>(frames_.size()),
             .part_count = static_cast<int>(parts_.size()),
+            .cluster_count = static_cast<int>(clusters_.size()),
             .pair_count = static_cast<int>(pairs_.size()),
             .frames = frames_.data(),
             .parts = parts_.data(),
             .clusters = clusters_.data(),
             .balls = balls_.data(),
             .obstacles = obstacles_.data(),
+            .boxes = boxes_.data(),
             .grids = grids_.data(),
             .pairs = pairs_.data(),
-            .levers = levers_.empty() ? nullptr : levers_.front().lever.data()};
+            .levers = levers_.empty() ? nullptr : levers_.front().lever.data(),
+            .turns = turns_.data()};
 }
 
 }  // namespace praxis::tamp

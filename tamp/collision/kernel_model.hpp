@@ -18,23 +18,11 @@
 
 namespace praxis::tamp {
 
-/// Which balls stand for the robot and what is attached to it.
-enum class BallSide : std::uint8_t {
-    outer,  ///< they contain the shapes: free of them means free
-    inner   ///< the shapes contain them: a contact of them is a contact
-};
-
-/// Which pairs are looked at.
-enum class PairChange : std::uint8_t {
-    moving,  ///< the group changes their relative pose
-    fixed    ///< it does not
-};
-
 class KernelModel {
   public:
     /// Throws std::invalid_argument where a link or an attached body has shapes but no balls, and for groups
     /// of more than 16 variables.
-    KernelModel(const CollisionProblem& problem, BallSide side, PairChange change, SolidCache& cache);
+    KernelModel(const CollisionProblem& problem, BallSide side, SolidCache& cache);
 
     kernel::Model view() const;
     /// The balls are the shapes, and there are no grids: what the kernel says of contacts is so but for the
@@ -57,11 +45,13 @@ class KernelModel {
     std::vector<kernel::Part> parts_;
     std::vector<kernel::Cluster> clusters_;
     std::vector<kernel::Ball> balls_;
-    std::vector<kernel::Obstacle> obstacles_;
+    std::vector<kernel::Obstacle> obstacles_;  ///< by part, in blocks of eight
+    std::vector<kernel::ObstacleBoxes> boxes_;
     std::vector<kernel::Grid> grids_;
     std::vector<std::shared_ptr<const DistanceGrid>> distances_;  ///< that the grids point to
     std::vector<kernel::PartPair> pairs_;
     std::vector<LeverBlock> levers_;
+    std::vector<float> turns_;
 };
 
 }  // namespace praxis::tamp

@@ -7,7 +7,7 @@ namespace praxis::tamp::kernel {
 
 const Functions& portable_functions() {
     static constexpr Functions table = {"portable", collisions,       motion_free,
-                                        speeds,     swept_collisions, nearest};
+                                        sweeps,     swept_collisions, nearest};
     return table;
 }
 

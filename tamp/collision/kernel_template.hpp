@@ -23,6 +23,7 @@ struct Placement {
 
 constexpr int kPlacementFloats = 12 * kLanes;
 constexpr int kBallFloats = 3 * kLanes;
+constexpr int kVelocityFloats = 6 * kLanes;
 
 inline Point load(const float* from) {
     return {Lanes::load(from), Lanes::load(from + kLanes), Lanes::load(from + 2 * kLanes)};
@@ -103,9 +104,18 @@ inline void place_frames(const Model& model, const float* positions, float* plac
             p = {constant(r[0], r[3], r[6]), constant(r[1], r[4], r[7]), constant(r[2], r[5], r[8]),
                  constant(t[0], t[1], t[2])};
         } else {
-            const Placement parent = load_placement(placements + frame.parent * kPlacementFloats);
-            p = {combine(parent, r[0], r[3], r[6]), combine(parent, r[1], r[4], r[7]),
-                 combine(parent, r[2], r[5], r[8]), combine(parent, t[0], t[1], t[2]) + parent.position};
+            const float* at = placements + frame.parent * kPlacementFloats;
+            const Placement parent = load_placement(at);
+            p.position = combine(parent, t[0], t[1], t[2]) + parent.position;
+            if (frame.by_quarters != 0) {
+                p.x = scaled(load(at + frame.source[0] * 3 * kLanes), frame.sign[0]);
+                p.y = scaled(load(at + frame.source[1] * 3 * kLanes), frame.sign[1]);
+                p.z = scaled(load(at + frame.source[2] * 3 * kLanes), frame.sign[2]);
+            } else {
+                p.x = combine(parent, r[0], r[3], r[6]);
+                p.y = combine(parent, r[1], r[4], r[7]);
+                p.z = combine(parent, r[2], r[5], r[8]);
+            }
         }
         const Lanes q =
             multiply_add(Lanes::load(positions + frame.variable * kLanes), frame.multiplier, frame.offset);
@@ -120,6 +130,45 @@ inline void place_frames(const Model& model, const float* positions, float* plac
             p.x = x;
         }
         store(p, placements + f * kPlacementFloats);
+    }
+}
+
+inline Point cross(const Point& a, const Point& b) {
+    return {multiply_subtract(a.z, b.y, a.y * b.z), multiply_subtract(a.x, b.z, a.z * b.x),
+            multiply_subtract(a.y, b.x, a.x * b.y)};
+}
+
+/// How a frame turns, and how its origin moves, for a unit of a segment.
+struct Velocity {
+    Point turn;
+    Point origin;
+};
+
+inline Velocity load_velocity(const float* from) {
+    return {load(from), load(from + 3 * kLanes)};
+}
+
+/// Of all frames, whose placements are given.
+inline void place_velocities(const Model& model, const float* change, const float* placements,
+                             float* velocities) {
+    for (int f = 0; f < model.frame_count; ++f) {
+        const Frame& frame = model.frames[f];
+        const Point axis = load(placements + f * kPlacementFloats + 6 * kLanes);
+        const Point origin = load(placements + f * kPlacementFloats + 9 * kLanes);
+        Velocity velocity = {constant(0, 0, 0), constant(0, 0, 0)};
+        if (frame.parent >= 0) {
+            velocity = load_velocity(velocities + frame.parent * kVelocityFloats);
+            const Point parent = load(placements + frame.parent * kPlacementFloats + 9 * kLanes);
+            velocity.origin = velocity.origin + cross(velocity.turn, origin - parent);
+        }
+        const Point added = scaled(axis, frame.multiplier * change[frame.variable]);
+        if (frame.prismatic != 0) {
+            velocity.origin = velocity.origin + added;
+        } else {
+            velocity.turn = velocity.turn + added;
+        }
+        store(velocity.turn, velocities + f * kVelocityFloats);
+        store(velocity.origin, velocities + f * kVelocityFloats + 3 * kLanes);
     }
 }
 
@@ -220,20 +269,38 @@ class Block {
   public:
     Block(const Model& model, float* scratch)
         : model_(model), placements_(scratch), bounds_(scratch + model.frame_count * kPlacementFloats) {
-        int clusters = 0;
-        for (int p = 0; p < model.part_count; ++p) clusters += model.parts[p].cluster_count;
         clusters_ = bounds_ + model.part_count * kBallFloats;
-        balls_ = clusters_ + clusters * kBallFloats;
+        balls_ = clusters_ + model.cluster_count * kBallFloats;
+        int balls = 0;
+        for (int c = 0; c < model.cluster_count; ++c) balls += model.clusters[c].ball_count;
+        velocities_ = balls_ + balls * kBallFloats;
+        growths_ = velocities_ + model.frame_count * kVelocityFloats;
     }
 
     void place(const float* positions) { place_frames(model_, positions, placements_); }
+
+    void place_moving(const float* positions, const float* change) {
+        place(positions);
+        place_velocities(model_, change, placements_, velocities_);
+    }
 
     void place_bound(int p) {
         store(at(model_.parts[p].frame, model_.parts[p].bound), bounds_ + p * kBallFloats);
         clusters_placed_[p] = false;
     }
 
+    /// The speed of the ball of a part that moves fastest, at most.
+    Lanes speed(int p) const {
+        const Part& part = model_.parts[p];
+        if (part.frame < 0) return 0.0F;
+        const Velocity v = load_velocity(velocities_ + part.frame * kVelocityFloats);
+        const Point origin = load(placements_ + part.frame * kPlacementFloats + 9 * kLanes);
+        const Point center = v.origin + cross(v.turn, bound(p) - origin);
+        return multiply_add(root(squared(v.turn)), part.spread, root(squared(center)));
+    }
+
     const Model& model() const { return model_; }
+    float* growth(int p) const { return growths_ + p * kLanes; }
     Point bound(int p) const { return load(bounds_ + p * kBallFloats); }
     float bound_radius(int p) const { return model_.parts[p].bound.radius; }
     Point cluster_bound(int c) const { return load(clusters_ + c * kBallFloats); }
@@ -278,45 +345,59 @@ class Block {
     float* bounds_;
     float* clusters_;
     float* balls_;
+    float* velocities_;
+    float* growths_;
     bool clusters_placed_[kMaxParts];
     int balls_placed_[kFlags];  ///< which cluster, of those that share the flag
 };
 
-/// How a test goes on when balls touch. Radii are those of the model plus `growth` of the part.
+/// How a test goes on when balls touch. Before anything is asked of a part, `enter` is told of it; radii are
+/// those of the model plus how much the part has grown.
 ///
-/// Any: the first touch ends all work. Every: all lanes are wanted.
+/// Any: the first touch ends all work. Every: all lanes are wanted. EverySwept: of stretches of a segment.
 struct Any {
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) != 0; }
-    static Lanes grown(int, float radius) { return radius; }
+    static void enter(const Block&, int) {}
+    static Lanes grown(const Block&, int, float radius) { return radius; }
 };
 
 struct Every {
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
-    static Lanes grown(int, float radius) { return radius; }
+    static void enter(const Block&, int) {}
+    static Lanes grown(const Block&, int, float radius) { return radius; }
 };
 
 struct EverySwept {
-    const float* speeds;
+    const float* sweeps;
+    float turn;
     Lanes width;
     unsigned hit = 0;
     bool add(unsigned mask) { return (hit |= mask) == (1U << kLanes) - 1; }
-    Lanes grown(int part, float radius) const { return multiply_add(speeds[part], width, radius); }
+    void enter(const Block& block, int p) const {
+        constexpr float kRounding = 1e-5F;
+        const Lanes bend = multiply_add(width, 0.5F * turn, kRounding);
+        const Lanes speed = multiply_add(bend, sweeps[p], block.speed(p));
+        (minimum(speed, sweeps[p]) * width).store(block.growth(p));
+    }
+    static Lanes grown(const Block& block, int p, float radius) {
+        return Lanes::load(block.growth(p)) + Lanes(radius);
+    }
 };
 
 /// True: the work is done.
 template <class Mode, class Other>
 inline bool part_touches(Block& block, int p, const Other& other, Mode& mode) {
-    if (bridged(other.gap(block.bound(p)), other.reach(mode.grown(p, block.bound_radius(p)))) == 0)
+    if (bridged(other.gap(block.bound(p)), other.reach(Mode::grown(block, p, block.bound_radius(p)))) == 0)
         return false;
     block.place_clusters(p);
     for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
-        const Lanes bound = mode.grown(p, block.cluster_radius(c));
+        const Lanes bound = Mode::grown(block, p, block.cluster_radius(c));
         if (bridged(other.gap(block.cluster_bound(c)), other.reach(bound)) == 0) continue;
         block.place_balls(p, c);
         for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
-            const Lanes radius = mode.grown(p, block.radius(ball));
+            const Lanes radius = Mode::grown(block, p, block.radius(ball));
             if (mode.add(bridged(other.gap(block.center(ball)), other.reach(radius)))) return true;
         }
     }
@@ -328,13 +409,13 @@ inline bool clusters_touch(Block& block, const PartPair& pair, int c, int d, Mod
     block.place_balls(pair.first, c);
     block.place_balls(pair.second, d);
     const Point bound = block.cluster_bound(d);
-    const Lanes bound_radius = mode.grown(pair.second, block.cluster_radius(d));
+    const Lanes bound_radius = Mode::grown(block, pair.second, block.cluster_radius(d));
     for (int ball = block.first_ball(c); ball < block.end_ball(c); ++ball) {
         const Point center = block.center(ball);
-        const Lanes radius = mode.grown(pair.first, block.radius(ball));
+        const Lanes radius = Mode::grown(block, pair.first, block.radius(ball));
         if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
         for (int other = block.first_ball(d); other < block.end_ball(d); ++other) {
-            const Lanes reach = radius + mode.grown(pair.second, block.radius(other));
+            const Lanes reach = radius + Mode::grown(block, pair.second, block.radius(other));
             if (mode.add(bridged(squared(center - block.center(other)), reach))) return true;
         }
     }
@@ -346,18 +427,19 @@ inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
     const int p = pair.first;
     const int q = pair.second;
     const Point bound = block.bound(q);
-    const Lanes bound_radius = mode.grown(q, block.bound_radius(q));
-    if (bridged(squared(block.bound(p) - bound), mode.grown(p, block.bound_radius(p)) + bound_radius) == 0) {
+    const Lanes bound_radius = Mode::grown(block, q, block.bound_radius(q));
+    if (bridged(squared(block.bound(p) - bound),
+                Mode::grown(block, p, block.bound_radius(p)) + bound_radius) == 0) {
         return false;
     }
     block.place_clusters(p);
     block.place_clusters(q);
     for (int c = block.first_cluster(p); c < block.end_cluster(p); ++c) {
         const Point center = block.cluster_bound(c);
-        const Lanes radius = mode.grown(p, block.cluster_radius(c));
+        const Lanes radius = Mode::grown(block, p, block.cluster_radius(c));
         if (bridged(squared(center - bound), radius + bound_radius) == 0) continue;
         for (int d = block.first_cluster(q); d < block.end_cluster(q); ++d) {
-            const Lanes reach = radius + mode.grown(q, block.cluster_radius(d));
+            const Lanes reach = radius + Mode::grown(block, q, block.cluster_radius(d));
             if (bridged(squared(center - block.cluster_bound(d)), reach) == 0) continue;
             if (clusters_touch(block, pair, c, d, mode)) return true;
         }
@@ -365,21 +447,64 @@ inline bool parts_touch(Block& block, const PartPair& pair, Mode& mode) {
     return false;
 }
 
+/// Calls `test` with an obstacle.
+template <class Test>
+inline bool with_solid(const Obstacle& obstacle, const Test& test) {
+    switch (obstacle.kind) {
+        case sphere:
+            return test(Solid<sphere>{obstacle});
+        case upright_box:
+            return test(Solid<upright_box>{obstacle});
+        case box:
+            return test(Solid<box>{obstacle});
+        case upright_cylinder:
+            return test(Solid<upright_cylinder>{obstacle});
+        case cylinder:
+            return test(Solid<cylinder>{obstacle});
+        case capsule:
+            return test(Solid<capsule>{obstacle});
+    }
+    return false;
+}
+
+/// Around eight balls.
+struct Box {
+    Lanes lower[3];
+    Lanes upper[3];
+
+    Box(const Point& center, const Lanes& radius)
+        : lower{lowest(center.x - radius), lowest(center.y - radius), lowest(center.z - radius)},
+          upper{highest(center.x + radius), highest(center.y + radius), highest(center.z + radius)} {}
+};
+
+/// Bit i: the box meets that around obstacle i of the block.
+inline unsigned meeting(const ObstacleBoxes& boxes, const Box& box) {
+    unsigned apart = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Lanes gap =
+            maximum(Lanes::load(boxes.lower[i]) - box.upper[i], box.lower[i] - Lanes::load(boxes.upper[i]));
+        apart |= ~not_greater(gap, 0.0F);
+    }
+    return ~apart & ((1U << kLanes) - 1);
+}
+
 /// Calls `test(obstacle)` for all obstacles and grids that a part may touch, until one returns true.
-template <int kind, class Test>
-inline bool for_obstacles(const Model& model, int p, const Test& test) {
+template <class Mode, class Test>
+inline bool for_obstacles(const Block& block, int p, const Test& test) {
+    const Model& model = block.model();
     const Part& part = model.parts[p];
-    for (int o = part.first_obstacle[kind]; o < part.first_obstacle[kind + 1]; ++o) {
-        if (test(Solid<kind>{model.obstacles[o]})) return true;
-    }
-    if constexpr (kind + 1 < kObstacleKinds) {
-        return for_obstacles<kind + 1>(model, p, test);
-    } else {
-        for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
-            if (test(Cells{model.grids[g]})) return true;
+    if (part.boxes_count > 0) {
+        const Box box(block.bound(p), Mode::grown(block, p, block.bound_radius(p)));
+        for (int b = part.first_boxes; b < part.first_boxes + part.boxes_count; ++b) {
+            for (unsigned left = meeting(model.boxes[b], box); left != 0; left &= left - 1) {
+                if (with_solid(model.obstacles[kLanes * b + __builtin_ctz(left)], test)) return true;
+            }
         }
-        return false;
     }
+    for (int g = part.first_grid; g < part.first_grid + part.grid_count; ++g) {
+        if (test(Cells{model.grids[g]})) return true;
+    }
+    return false;
 }
 
 /// All tests of a block.
@@ -388,8 +513,9 @@ inline unsigned examine(Block& block, Mode mode) {
     const Model& model = block.model();
     for (int p = 0; p < model.part_count; ++p) {
         block.place_bound(p);
-        const bool done = for_obstacles<0>(
-            model, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
+        mode.enter(block, p);
+        const bool done = for_obstacles<Mode>(
+            block, p, [&](const auto& obstacle) { return part_touches(block, p, obstacle, mode); });
         if (done) return mode.hit;
     }
     for (int i = 0; i < model.pair_count; ++i) {
@@ -406,7 +532,7 @@ inline void interpolate(const Model& model, const float* from, const float* chan
     }
 }
 
-void speeds(const Model& model, const float* change, float* result) {
+float sweeps(const Model& model, const float* change, float* result) {
     for (int p = 0; p < model.part_count; p += kLanes) {
         Lanes sum = 0.0F;
         for (int v = 0; v < model.variable_count; ++v) {
@@ -415,6 +541,11 @@ void speeds(const Model& model, const float* change, float* result) {
         }
         sum.store(result + p);
     }
+    float turn = 0;
+    for (int v = 0; v < model.variable_count; ++v) {
+        turn += model.turns[v] * (change[v] < 0 ? -change[v] : change[v]);
+    }
+    return turn;
 }
 
 unsigned collisions(const Model& model, const float* positions, float* scratch) {
@@ -424,28 +555,26 @@ unsigned collisions(const Model& model, const float* positions, float* scratch) 
 }
 
 unsigned swept_collisions(const Model& model, const float* from, const float* change, const float* t,
-                          const float* width, const float* part_speeds, float* scratch) {
+                          const float* width, const float* part_sweeps, float turn, float* scratch) {
     alignas(32) float positions[kMaxVariables * kLanes];
     interpolate(model, from, change, Lanes::load(t), positions);
     Block block(model, scratch);
-    block.place(positions);
-    return examine(block, EverySwept{part_speeds, Lanes::load(width)});
+    block.place_moving(positions, change);
+    return examine(block, EverySwept{part_sweeps, turn, Lanes::load(width)});
 }
 
 bool motion_free(const Model& model, const float* from, const float* change, int rakes, bool with_start,
                  float* scratch) {
     alignas(32) float positions[kMaxVariables * kLanes];
-    alignas(32) float places[kLanes];
     const int first = with_start ? 0 : 1;
     const float step = 1.0F / static_cast<float>(kLanes * rakes - 1 + first);
     Block block(model, scratch);
     for (int i = 0, turns = rake_turns(rakes); i < turns; ++i) {
         const int rake = rake_at(i, rakes);
         if (rake < 0) continue;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            places[lane] = static_cast<float>(lane * rakes + rake + first) * step;
-        }
-        interpolate(model, from, change, Lanes::load(places), positions);
+        const Lanes places = multiply_add(Lanes::ascending(), static_cast<float>(rakes) * step,
+                                          static_cast<float>(rake + first) * step);
+        interpolate(model, from, change, places, positions);
         block.place(positions);
         if (examine(block, Any()) != 0) return false;
     }

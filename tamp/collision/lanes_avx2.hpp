@@ -14,6 +14,8 @@ struct Lanes {
     Lanes(float x) : v(_mm256_set1_ps(x)) {}  // NOLINT: a number stands for eight of it
     static Lanes load(const float* from) { return _mm256_load_ps(from); }
     void store(float* to) const { _mm256_store_ps(to, v); }
+    /// 0, 1, ... 7
+    static Lanes ascending() { return _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7); }
     /// For every lane the number of `table` at x + width * (y + height * z).
     static Lanes gather(const float* table, const Lanes& x, const Lanes& y, const Lanes& z, int width,
                         int height) {
@@ -49,6 +51,18 @@ inline Lanes maximum(const Lanes& a, const Lanes& b) {
 }
 inline Lanes minimum(const Lanes& a, const Lanes& b) {
     return _mm256_min_ps(a.v, b.v);
+}
+/// The least of the eight numbers, in every lane.
+inline Lanes lowest(const Lanes& a) {
+    const __m256 halves = _mm256_min_ps(a.v, _mm256_permute2f128_ps(a.v, a.v, 1));
+    const __m256 quarters = _mm256_min_ps(halves, _mm256_permute_ps(halves, 0x4e));
+    return _mm256_min_ps(quarters, _mm256_permute_ps(quarters, 0xb1));
+}
+/// The greatest of the eight numbers, in every lane.
+inline Lanes highest(const Lanes& a) {
+    const __m256 halves = _mm256_max_ps(a.v, _mm256_permute2f128_ps(a.v, a.v, 1));
+    const __m256 quarters = _mm256_max_ps(halves, _mm256_permute_ps(halves, 0x4e));
+    return _mm256_max_ps(quarters, _mm256_permute_ps(quarters, 0xb1));
 }
 inline Lanes absolute(const Lanes& a) {
     return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v);

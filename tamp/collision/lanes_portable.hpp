@@ -19,6 +19,12 @@ struct Lanes {
     void store(float* to) const {
         for (int i = 0; i < 8; ++i) to[i] = v[i];
     }
+    /// 0, 1, ... 7
+    static Lanes ascending() {
+        Lanes lanes;
+        for (int i = 0; i < 8; ++i) lanes.v[i] = static_cast<float>(i);
+        return lanes;
+    }
     /// For every lane the number of `table` at x + width * (y + height * z).
     static Lanes gather(const float* table, const Lanes& x, const Lanes& y, const Lanes& z, int width,
                         int height) {
@@ -63,6 +69,18 @@ inline Lanes maximum(const Lanes& a, const Lanes& b) {
 }
 inline Lanes minimum(const Lanes& a, const Lanes& b) {
     return each(a, b, [](float x, float y) { return x < y ? x : y; });
+}
+/// The least of the eight numbers, in every lane.
+inline Lanes lowest(const Lanes& a) {
+    float least = a.v[0];
+    for (float lane : a.v) least = lane < least ? lane : least;
+    return least;
+}
+/// The greatest of the eight numbers, in every lane.
+inline Lanes highest(const Lanes& a) {
+    float greatest = a.v[0];
+    for (float lane : a.v) greatest = lane > greatest ? lane : greatest;
+    return greatest;
 }
 inline Lanes absolute(const Lanes& a) {
     return each(a, a, [](float x, float) { return x < 0 ? -x : x; });

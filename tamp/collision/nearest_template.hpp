@@ -26,22 +26,13 @@ inline int nearest_of(const float* blocks, int block_count, int dimension, const
         best_block = where_less(sum, best, static_cast<float>(b), best_block);
         best = minimum(sum, best);
     }
-    alignas(32) float distances[kLanes];
-    alignas(32) float places[kLanes];
-    best.store(distances);
-    best_block.store(places);
-    int winner = 0;
-    int place = kLanes * static_cast<int>(places[0]);
-    for (int lane = 1; lane < kLanes; ++lane) {
-        const int candidate = kLanes * static_cast<int>(places[lane]) + lane;
-        if (distances[lane] < distances[winner] ||
-            (distances[lane] == distances[winner] && candidate < place)) {
-            winner = lane;
-            place = candidate;
-        }
-    }
-    *squared = distances[winner];
-    return place;
+    const Lanes least = lowest(best);
+    const Lanes place = multiply_add(best_block, static_cast<float>(kLanes), Lanes::ascending());
+    alignas(32) float result[kLanes];
+    least.store(result);
+    *squared = result[0];
+    lowest(where_less(least, best, 3e38F, place)).store(result);
+    return static_cast<int>(result[0]);
 }
 
 int nearest(const float* blocks, int block_count, int dimension, const float* query, const float* periods,

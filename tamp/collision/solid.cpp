@@ -251,4 +251,24 @@ std::shared_ptr<const DistanceGrid> SolidCache::distances(const std::shared_ptr<
     });
 }
 
+std::shared_ptr<const std::vector<CoveringClusters>> SolidCache::clusters(
+    const std::shared_ptr<const Robot>& robot) {
+    return links_.get(robot, [](const std::shared_ptr<const Robot>& from) {
+        auto clusters = std::make_shared<std::vector<CoveringClusters>>();
+        for (const Link& link : from->links) {
+            clusters->push_back({cluster_balls(link.collision, link.balls, BallSide::outer),
+                                 cluster_balls(link.collision, link.balls, BallSide::inner)});
+        }
+        return clusters;
+    });
+}
+
+std::shared_ptr<const CoveringClusters> SolidCache::clusters(const std::shared_ptr<const BodyModel>& body) {
+    return bodies_.get(body, [](const std::shared_ptr<const BodyModel>& from) {
+        return std::make_shared<const CoveringClusters>(
+            CoveringClusters{cluster_balls(from->shapes, from->balls, BallSide::outer),
+                             cluster_balls(from->shapes, from->balls, BallSide::inner)});
+    });
+}
+
 }  // namespace praxis::tamp

@@ -12,9 +12,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "tamp/collision/ball_clusters.hpp"
 #include "tamp/geometry/box_tree.hpp"
 #include "tamp/geometry/shape.hpp"
+#include "tamp/robots/robot.hpp"
 #include "tamp/scenes/distance_grid.hpp"
+#include "tamp/scenes/world.hpp"
 
 namespace fcl {
 template <typename S>
@@ -53,8 +56,8 @@ bool touch(const Solid& first, const Pose& first_pose, const Solid& second, cons
 /// Around all; radius 0 if there are none.
 Ball bound_of(const std::vector<Solid>& solids);
 
-/// Makes solids, and keeps what meshes and maps were turned into as long as these live. Several threads may
-/// share one.
+/// Makes solids, and keeps what meshes, maps, robots and bodies were turned into as long as these live.
+/// Several threads may share one.
 class SolidCache {
   public:
     /// Throws std::invalid_argument if a number of a shape is not finite or not positive.
@@ -62,6 +65,10 @@ class SolidCache {
     /// Distances to the surface of a mesh, and to the obstacles of a map.
     std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const Mesh>& mesh);
     std::shared_ptr<const DistanceGrid> distances(const std::shared_ptr<const OccupancyMap>& map);
+
+    /// By link, and of a body.
+    std::shared_ptr<const std::vector<CoveringClusters>> clusters(const std::shared_ptr<const Robot>& robot);
+    std::shared_ptr<const CoveringClusters> clusters(const std::shared_ptr<const BodyModel>& body);
 
   private:
     /// What was made of something that others own.
@@ -83,6 +90,8 @@ class SolidCache {
     Kept<OccupancyMap, MapBoxes> maps_;
     Kept<Mesh, DistanceGrid> mesh_distances_;
     Kept<OccupancyMap, DistanceGrid> map_distances_;
+    Kept<Robot, std::vector<CoveringClusters>> links_;
+    Kept<BodyModel, CoveringClusters> bodies_;
 };
 
 }  // namespace praxis::tamp

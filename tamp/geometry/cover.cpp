@@ -173,4 +173,13 @@ Ball bounding_ball(std::span<const Ball> balls) {
     return best;
 }
 
+Ball bounding_ball(const Ball& first, const Ball& second) {
+    const Vector3 apart = second.center - first.center;
+    const double distance = apart.norm();
+    if (distance + second.radius <= first.radius) return first;
+    if (distance + first.radius <= second.radius) return second;
+    const double radius = (distance + first.radius + second.radius) / 2;
+    return {first.center + apart * ((radius - first.radius) / distance), padded(radius)};
+}
+
 }  // namespace praxis::tamp

@@ -36,4 +36,7 @@ std::vector<Ball> cover(std::span<const PlacedShape> shapes, const CoverOptions&
 /// "Smaller core-sets for balls", SODA 2003). Radius 0 at the origin if there are none.
 Ball bounding_ball(std::span<const Ball> balls);
 
+/// The smallest ball around both.
+Ball bounding_ball(const Ball& first, const Ball& second);
+
 }  // namespace praxis::tamp

@@ -38,6 +38,7 @@ struct ActionFailure {
     std::string message = {};
     /// Movable bodies: the skill fails as long as all of them stand where they stand. Empty: whatever stands.
     std::vector<int> bodies = {};
+    bool each = false;  ///< each of them alone is enough
     /// False: it was not all tried that the discretisation allows; another try may succeed.
     bool definite = true;
     Configuration configuration = {};    ///< of the whole robot at the failure; empty: none

@@ -3,43 +3,40 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tamp/collision/checker.hpp"
 #include "tamp/manipulation/action_motion.hpp"
+#include "tamp/motion/path.hpp"
 
 namespace praxis::tamp {
+
+/// The first contact on a path that is not free: "PHASE is in collision: ...". Not definite where none shows.
+ActionFailure contact_on_path(CollisionChecker& checker, const Path& path, const std::string& phase);
 
 class FailureLog {
   public:
     /// `what` is done, for messages: "pick can4".
-    FailureLog(std::string what, std::span<const int> hand_links)
-        : what_(std::move(what)), hand_links_(hand_links) {}
+    explicit FailureLog(std::string what) : what_(std::move(what)) {}
 
-    /// No configuration reaches the target.
-    void add_unreachable(const std::string& message, bool definite);
-    /// One way fails at these positions of the checker's group. Contacts with what no action can move stand
-    /// for themselves; else one movable body is to blame, preferably one that is already. Whether it is the
-    /// hand
-    /// (`hand_links`) or what it holds that touches what stands: then no other position of the arm helps.
-    bool add_contact(CollisionChecker& checker, std::span<const double> positions, const std::string& phase);
-    /// The same for the first contact on a path.
-    bool add_blocked_path(CollisionChecker& checker, const Path& path, const std::string& phase);
-    /// The motion planner found nothing; it met these bodies.
-    void add_no_path(const CollisionProblem& problem, const std::vector<int>& bodies,
-                     const std::string& phase);
+    /// One way fails, whatever movable bodies stand where.
+    void add_fixed(const ActionFailure& why);
+    /// One way fails as long as any of these bodies stands where it stands.
+    void add_blocked(std::vector<int> bodies, const ActionFailure& why);
+    /// No motion was found; as far as one can tell because of all these bodies.
+    void add_no_path(const std::vector<int>& bodies, const ActionFailure& why);
 
+    /// Blames few bodies, such that every way is blocked by one of them; where one body blocks all ways alone,
+    /// it and its like (`ActionFailure::each`).
     ActionFailure take();
 
   private:
-    void blame(int body);
-    void keep(TrajectoryDocument::Reason reason, const std::string& message);
-
-    /// Who moves with the hand, and who stands.
-    bool is_of_hand(const World& world, const Contact& contact) const;
+    void keep(const ActionFailure& why);
 
     std::string what_;
-    std::span<const int> hand_links_;
     ActionFailure failure_;
+    std::vector<std::vector<int>> blocked_;  ///< by way: bodies each of which is enough; sorted
+    std::vector<int> suspects_;
     int weight_ = -1;  ///< of the failure that is shown: the further a way came, the more it tells
 };
 

@@ -10,7 +10,9 @@
 // where, and on nothing that was done before: failures can be learned from, and motions can be kept.
 // `join_motions` (join.hpp) takes the ways home out of a finished plan.
 //
-// A manipulator does not change once made; equal calls have equal results; threads may share it.
+// What was found out about the fixed bodies, and about movable bodies one by one, is kept for the next calls:
+// a manipulator is fast where many worlds differ in few bodies. Equal calls have equal results; threads may
+// share it, and take turns.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +65,12 @@ class Manipulator {
                        const Budget& budget = {}, std::uint64_t variation = 0) const;
 
   private:
+    struct Memory;
+    ActionResult run(bool pick, const World& world, int body, const Pose& pose, const Grasp& grasp,
+                     const Budget& budget, std::uint64_t variation) const;
+
     std::unique_ptr<const ManipulatorModel> model_;
+    std::unique_ptr<Memory> memory_;
 };
 
 }  // namespace praxis::tamp

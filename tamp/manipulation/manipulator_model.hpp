@@ -24,6 +24,9 @@ struct ManipulatorModel {
     const Group& group(int index) const { return robot->groups[static_cast<std::size_t>(index)]; }
     /// A fast checker.
     std::unique_ptr<CollisionChecker> checker(WorldPointer world, int group, const Configuration& rest) const;
+    const std::shared_ptr<SolidCache>& solids() const { return cache_; }
+    /// Nothing of the arm is further away from its first joints.
+    double reach_radius() const { return ik_.chain().reach().radius; }
     /// Positions of the fingers that are `opening` metres apart.
     Configuration fingers(double opening) const;
     /// How far apart the fingers are while they hold a body: a hair wider than it, since touching would count

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tamp/collision/body_checker.hpp"
+#include "tamp/manipulation/scene_lookup.hpp"
 
 namespace praxis::tamp {
 
@@ -14,31 +15,31 @@ class PickPlace {
     PickPlace(std::shared_ptr<const PickPlaceScene> scene, std::shared_ptr<const Manipulator> manipulator)
         : scene_(std::move(scene)),
           manipulator_(std::move(manipulator)),
-          standing_(fixed_part(scene_->world)) {
-        for (int i = 0; i < static_cast<int>(scene_->world.size()); ++i) {
-            const BodyModel& body = *scene_->world[i].model;
+          standing_(fixed_part(scene_.scene().world)) {
+        for (int i = 0; i < static_cast<int>(scene_.scene().world.size()); ++i) {
+            const BodyModel& body = *scene_.scene().world[i].model;
             grasps_.push_back(body.movable ? make_grasps(body, manipulator_->effector(), grasp_options(i))
                                            : std::vector<Grasp>());
         }
     }
 
     StreamResult grasp(const StreamCall& call) const {
-        const auto& grasps = grasps_[static_cast<std::size_t>(body(call.inputs[0]))];
+        const auto& grasps = grasps_[static_cast<std::size_t>(scene_.body(call.inputs[0]))];
         if (call.attempt < grasps.size()) return StreamResult::sample({Value::of(grasps[call.attempt])});
+        if (!grasps.empty()) return StreamResult::exhausted();
         return StreamResult::exhausted(
             {.reason = Reason::kinematics,
              .message = "the hand has no grasp of '" + call.inputs[0].name() + "'"});
     }
 
     StreamResult placement(const StreamCall& call) const {
-        const int moved = body(call.inputs[0]);
-        const Area& where = area(call.inputs[1]);
+        const int moved = scene_.body(call.inputs[0]);
+        const Area& where = scene_.area(call.inputs[1]);
         const std::string names = "'" + call.inputs[0].name() + "' in '" + where.name + "'";
-        if (call.attempt >= scene_->placements.count) {
-            return StreamResult::exhausted({.message = "there is no place for " + names});
-        }
-        const std::optional<Pose> pose = make_placement(*scene_->world[moved].model, scene_->world, where,
-                                                        call.attempt, scene_->placements);
+        if (call.attempt >= scene_.scene().placements.count) return StreamResult::exhausted();
+        const std::optional<Pose> pose =
+            make_placement(*scene_.scene().world[moved].model, scene_.scene().world, where, call.attempt,
+                           scene_.scene().placements);
         if (!pose) return StreamResult::reject({.message = "there is no room for " + names});
         if (!standing_.is_free(moved, *pose, movable_)) {
             return StreamResult::reject(
@@ -48,16 +49,17 @@ class PickPlace {
     }
 
     StreamResult pick(const StreamCall& call) const {
-        const int taken = body(call.inputs[0]);
-        const World world = world_at(call.fluents).with_pose(taken, call.inputs[1].get<Pose>());
-        return answer(
+        const int taken = scene_.body(call.inputs[0]);
+        const World world = scene_.world_at(call.fluents).with_pose(taken, call.inputs[1].get<Pose>());
+        return scene_.answer(
             call, manipulator_->pick(world, taken, call.inputs[2].get<Grasp>(), call.budget, call.attempt));
     }
 
     StreamResult place(const StreamCall& call) const {
-        const int put = body(call.inputs[0]);
-        return answer(call, manipulator_->place(world_at(call.fluents), put, call.inputs[2].get<Grasp>(),
-                                                call.inputs[1].get<Pose>(), call.budget, call.attempt));
+        const int put = scene_.body(call.inputs[0]);
+        return scene_.answer(
+            call, manipulator_->place(scene_.world_at(call.fluents), put, call.inputs[2].get<Grasp>(),
+                                      call.inputs[1].get<Pose>(), call.budget, call.attempt));
     }
 
   private:
@@ -70,9 +72,9 @@ class PickPlace {
     }
 
     GraspOptions grasp_options(int body) const {
-        GraspOptions options = scene_->grasps;
-        const auto kinds = scene_->grasp_kinds.find(body);
-        if (kinds == scene_->grasp_kinds.end()) return options;
+        GraspOptions options = scene_.scene().grasps;
+        const auto kinds = scene_.scene().grasp_kinds.find(body);
+        if (kinds == scene_.scene().grasp_kinds.end()) return options;
         const auto has = [&](GraspKind kind) {
             return std::ranges::find(kinds->second, kind) != kinds->second.end();
         };
@@ -81,48 +83,7 @@ class PickPlace {
         return options;
     }
 
-    int body(const Value& value) const {
-        const auto found = scene_->bodies.find(value.name());
-        if (found == scene_->bodies.end()) {
-            throw std::invalid_argument("the scene has no body for '" + value.name() + "'");
-        }
-        return found->second;
-    }
-
-    const Area& area(const Value& value) const {
-        const auto found = scene_->areas.find(value.name());
-        if (found == scene_->areas.end()) {
-            throw std::invalid_argument("the scene has no region '" + value.name() + "'");
-        }
-        return found->second;
-    }
-
-    World world_at(std::span<const FluentAtom> fluents) const {
-        World world = scene_->world;
-        for (const FluentAtom& atom : fluents) {
-            if (atom.predicate == "at")
-                world = world.with_pose(body(atom.arguments[0]), atom.arguments[1].get<Pose>());
-        }
-        return world;
-    }
-
-    StreamResult answer(const StreamCall& call, ActionResult result) const {
-        if (result) return StreamResult::sample({Value::of(std::move(*result.motion))});
-        ActionFailure& failure = result.failure;
-        Blame blame{.reason = static_cast<Reason>(failure.reason),
-                    .message = failure.message,
-                    .definite = failure.definite};
-        for (const int at_fault : failure.bodies) {
-            for (std::uint32_t i = 0; i < call.fluents.size(); ++i) {
-                if (body(call.fluents[i].arguments[0]) == at_fault) blame.fluents.push_back(i);
-            }
-        }
-        const bool definite = failure.definite;
-        blame.picture = Value::of(std::move(failure));
-        return definite ? StreamResult::exhausted(std::move(blame)) : StreamResult::reject(std::move(blame));
-    }
-
-    std::shared_ptr<const PickPlaceScene> scene_;
+    SceneLookup scene_;
     std::shared_ptr<const Manipulator> manipulator_;
     std::vector<int> movable_;
     BodyChecker standing_;

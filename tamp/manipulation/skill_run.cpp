@@ -2,271 +2,341 @@
 
 #include <algorithm>
 
-#include "tamp/sampling/base_poses.hpp"
-
 namespace praxis::tamp {
 
 namespace {
+
+using Reason = TrajectoryDocument::Reason;
 
 Path reversed(Path path) {
     std::ranges::reverse(path);
     return path;
 }
 
-Vector3 approach_of(const Pose& tool) {
-    return tool.linear().col(2);
-}
-
 }  // namespace
 
-ActionResult SkillRun::pick(int body, const Grasp& grasp) {
-    const Vector3 around = (*state_.world)[body].pose.translation();
-    return from_base_poses(around, [&] { return pick_from_here(body, grasp); });
+SkillRun::SkillRun(SkillSpace& space, Site& site, Skill skill, const World& world, int body, const Pose& pose,
+                   const Grasp& grasp, const Budget& budget, std::uint64_t variation)
+    : space_(space),
+      model_(space.model()),
+      site_(site),
+      skill_(skill),
+      body_(body),
+      pose_(pose),
+      grasp_(grasp),
+      budget_(budget),
+      variation_(variation),
+      log_((skill == Skill::pick ? "pick '" : "place '") + world[body].model->name + "'"),
+      standing_world_(std::make_shared<const World>(world.with_pose(body, pose))),
+      holding_world_(std::make_shared<const World>(world.with_attached(body, model_.hold(grasp)))) {
+    for (int other = 0; other < static_cast<int>(world.size()); ++other) {
+        const BodyState& state = world[other];
+        if (other == body || !state.model->movable || state.attachment) continue;
+        others_.push_back({other, space.standing(other, state.pose)});
+    }
 }
 
-ActionResult SkillRun::place(int body, const Grasp& grasp, const Pose& pose) {
-    if (model_.gripper >= 0) {
-        model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.grip(grasp)),
-                             state_.configuration);
-    }
-    return from_base_poses(pose.translation(), [&] { return place_from_here(body, grasp, pose); });
-}
-
-template <class Attempt>
-ActionResult SkillRun::from_base_poses(const Vector3& around, Attempt&& attempt) {
-    const State begin = state_;
-    const auto done = [&] { return ActionResult{ActionMotion{std::move(pieces_)}, {}}; };
-    if (model_.base < 0) {
-        if (attempt()) return done();
-        return {std::nullopt, log_.take()};
-    }
-    const Group& base = model_.group(model_.base);
-    const BasePoseOptions ring{model_.options.base_nearest, model_.options.base_furthest,
-                               model_.options.base_poses};
-    const Configuration now = model_.robot->extract(base, begin.configuration);
-    for (const Configuration& pose : make_base_poses(around, now, ring)) {
-        if (out_of_budget() || hopeless_) break;
-        state_ = begin;
-        pieces_.clear();
-        if (!model_.robot->within_limits(base, pose)) continue;
-        const auto checker = model_.checker(state_.world, model_.base, state_.configuration);
-        if (!checker->is_free(pose)) {
-            log_.add_contact(*checker, pose, "the base beside it");
-            continue;
-        }
-        model_.robot->insert(base, pose, state_.configuration);
-        if (!attempt()) continue;
-        // Drives are planned last: they take longest, and where the arm cannot reach there is no need for
-        // them.
-        const auto back = model_.checker(state_.world, model_.base, state_.configuration);
-        const Configuration home = model_.robot->extract(base, begin.configuration);
-        if (!travel(*back, Kind::base, model_.base, home, "the drive back", true)) continue;
-        std::vector<MotionPiece> skill = std::move(pieces_);
-        state_ = begin;
-        pieces_.clear();
-        if (!travel(*checker, Kind::base, model_.base, pose, "the drive of the base", true)) continue;
-        std::ranges::move(skill, std::back_inserter(pieces_));
-        return done();
-    }
-    return {std::nullopt, log_.take()};
-}
-
-bool SkillRun::pick_from_here(int body, const Grasp& grasp) {
-    const Pose target = (*state_.world)[body].pose * grasp.body_in_tool.inverse();
-    const State begin = state_;
-    for (int number = 0; number < model_.options.arm_configurations; ++number) {
-        const std::uint64_t other = variation_ * 1000 + static_cast<std::uint64_t>(number);
-        if (out_of_budget()) return false;
-        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, other);
-        if (!arm) {
-            if (number == 0) log_.add_unreachable("the arm does not reach the grasp", true);
-            return false;
-        }
-        state_ = begin;
-        pieces_.clear();
-        if (pick_with(body, grasp, *arm)) return true;
-        if (hopeless_) return false;
-    }
-    return false;
-}
-
-bool SkillRun::pick_with(int body, const Grasp& grasp, const Configuration& arm) {
-    const int group = model_.arm;
-    move_fingers(model_.effector.max_opening);
-    const Configuration open = state_.configuration;
-    const auto empty = model_.checker(state_.world, group, open);
-    if (!empty->is_free(arm)) {
-        return refuse(*empty, arm, "the grasp");
-    }
-    Configuration at_grasp = open;
-    model_.robot->insert(model_.group(group), arm, at_grasp);
-    const Pose tool = model_.tool(at_grasp);
-    const std::optional<Path> back =
-        free_line(*empty, arm, {{-model_.options.approach * approach_of(tool)}}, "the approach");
-    if (!back) return false;
-
-    Attachment held = model_.hold(grasp);
-    World grasped = state_.world->with_attached(body, held);
-    Configuration closed = at_grasp;
-    if (model_.gripper >= 0) {
-        model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.grip(grasp)), closed);
-    }
-    const auto holding = model_.checker(std::make_shared<const World>(grasped), group, closed);
-    const std::optional<Path> lift = free_line(*holding, arm, ways_up(approach_of(tool)), "the lift");
-    if (!lift) return false;
-
-    if (!travel(*empty, Kind::transit, group, back->back(), "the way to it", true)) return false;
-    add(Kind::approach, group, reversed(*back));
-    move_fingers(model_.grip(grasp));
-    pieces_.push_back({.kind = Kind::gripper, .group = group, .attach = {{body, std::move(held)}}});
-    set_world(std::move(grasped));
-    add(Kind::retreat, group, *lift);
-    return fold(Kind::transfer);
-}
-
-bool SkillRun::place_from_here(int body, const Grasp& grasp, const Pose& pose) {
-    const Pose target = pose * grasp.body_in_tool.inverse();
-    const State begin = state_;
-    for (int number = 0; number < model_.options.arm_configurations; ++number) {
-        const std::uint64_t other = variation_ * 1000 + static_cast<std::uint64_t>(number);
-        if (out_of_budget()) return false;
-        const std::optional<Configuration> arm = model_.reach(begin.configuration, target, other);
-        if (!arm) {
-            if (number == 0) log_.add_unreachable("the arm does not reach the place", true);
-            return false;
-        }
-        state_ = begin;
-        pieces_.clear();
-        if (place_with(body, grasp, pose, *arm)) return true;
-        if (hopeless_) return false;
-    }
-    return false;
-}
-
-bool SkillRun::place_with(int body, const Grasp&, const Pose& pose, const Configuration& arm) {
-    const int group = model_.arm;
-    const auto holding = model_.checker(state_.world, group, state_.configuration);
-    if (!holding->is_free(arm)) {
-        return refuse(*holding, arm, "the place");
-    }
-    Configuration at_place = state_.configuration;
-    model_.robot->insert(model_.group(group), arm, at_place);
-    const Pose tool = model_.tool(at_place);
-    const std::optional<Path> up = free_line(*holding, arm, ways_up(approach_of(tool)), "the way down");
-    if (!up) return false;
-
-    World released = state_.world->with_pose(body, pose);
-    Configuration open = at_place;
-    if (model_.gripper >= 0) {
-        model_.robot->insert(model_.group(model_.gripper), model_.fingers(model_.effector.max_opening), open);
-    }
-    const auto empty = model_.checker(std::make_shared<const World>(released), group, open);
-    if (!empty->is_free(arm)) {
-        return refuse(*empty, arm, "the hand as it opens");
-    }
-    const std::optional<Path> back =
-        free_line(*empty, arm, {{-model_.options.approach * approach_of(tool)}}, "the hand's way back");
-    if (!back) return false;
-
-    if (!travel(*holding, Kind::transfer, group, up->back(), "the way to its place", true)) return false;
-    add(Kind::approach, group, reversed(*up));
-    pieces_.push_back({.kind = Kind::gripper, .group = group, .detach = {{body, pose}}});
-    set_world(std::move(released));
-    move_fingers(model_.effector.max_opening);
-    add(Kind::retreat, group, *back);
-    return fold(Kind::transit);
-}
-
-bool SkillRun::fold(Kind kind) {
-    const auto checker = model_.checker(state_.world, model_.arm, state_.configuration);
-    const Configuration home = model_.robot->extract(model_.group(model_.arm), model_.home);
-    return travel(*checker, kind, model_.arm, home, "the way home", true);
-}
-
-void SkillRun::add(Kind kind, int group, Path path) {
-    model_.robot->insert(model_.group(group), path.back(), state_.configuration);
-    pieces_.push_back({.kind = kind, .group = group, .path = std::move(path)});
-}
-
-void SkillRun::move_fingers(double opening) {
-    if (model_.gripper < 0) return;
-    Configuration now = model_.robot->extract(model_.group(model_.gripper), state_.configuration);
-    Configuration then = model_.fingers(opening);
-    if (now != then) add(Kind::gripper, model_.gripper, {std::move(now), std::move(then)});
-}
-
-bool SkillRun::travel(CollisionChecker& checker, Kind kind, int group, const Configuration& goal,
-                      const std::string& phase, bool homing) {
-    const Configuration start = model_.robot->extract(model_.group(group), state_.configuration);
-    if (start == goal) return true;
-    MotionResult found = model_.travel(checker, start, goal, variation_, budget_);
-    switch (found.status) {
-        case MotionStatus::solved:
-            add(kind, group, std::move(found.path));
-            pieces_.back().homing = homing;
-            return true;
-        case MotionStatus::start_in_collision:
-            log_.add_contact(checker, start, "the start of " + phase);
-            break;
-        case MotionStatus::goal_in_collision:
-            log_.add_contact(checker, goal, "the end of " + phase);
-            break;
-        case MotionStatus::start_out_of_limits:
-        case MotionStatus::goal_out_of_limits:
-            log_.add_unreachable(phase + " leaves the limits", true);
-            break;
-        case MotionStatus::not_found: {
-            std::vector<int> bodies;
-            for (const Obstruction& met : found.obstructions) {
-                if (met.who.kind == Participant::Kind::body) bodies.push_back(met.who.index);
-            }
-            log_.add_no_path(checker.problem(), bodies, phase);
-        }
-    }
-    return false;
-}
-
-std::optional<Path> SkillRun::free_line(CollisionChecker& checker, const Configuration& arm,
-                                        const std::vector<std::vector<Vector3>>& ways,
-                                        const std::string& phase) {
-    const auto is_free = [&](const Path& path) {
-        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-            if (!(model_.options.certified ? checker.is_motion_certified(path[i], path[i + 1])
-                                           : checker.is_motion_free(path[i], path[i + 1]))) {
-                return false;
-            }
-        }
-        return true;
+ActionResult SkillRun::run() {
+    const auto failed = [&] {
+        ActionFailure failure = log_.take();
+        failure.world = skill_ == Skill::pick ? standing_world_ : holding_world_;
+        return ActionResult{std::nullopt, std::move(failure)};
     };
-    std::optional<Path> blocked;
-    for (const std::vector<Vector3>& legs : ways) {
-        std::optional<Path> path = model_.straight(state_.configuration, arm, legs);
-        if (!path) continue;
-        if (is_free(*path)) return path;
-        if (!blocked) blocked = std::move(path);
+    if (hand_fails()) return failed();
+    for (Stance& stance : site_.stances()) {
+        if (out_of_budget()) break;
+        if (try_stance(stance)) return {std::move(motion_), {}};
     }
-    if (blocked) {
-        hopeless_ = log_.add_blocked_path(checker, *blocked, phase) && ways.size() == 1;
-    } else {
-        log_.add_unreachable("the arm cannot make " + phase, true);
+    return failed();
+}
+
+std::vector<int> SkillRun::hand_stoppers(std::size_t part, const ActionFailure*& why) {
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        const Pose& pose = (*standing_world_)[other.body].pose;
+        const ActionFailure* stopped = site_.stopped(part, other.body, pose, other.standing);
+        if (stopped == nullptr) continue;
+        bodies.push_back(other.body);
+        if (why == nullptr) why = stopped;
     }
+    return bodies;
+}
+
+std::vector<int> SkillRun::arm_stoppers(std::size_t part, const Stance& stance, Way& way,
+                                        const ActionFailure*& why) {
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        const Pose& pose = (*standing_world_)[other.body].pose;
+        const ActionFailure* stopped = site_.stopped(part, stance, way, other.body, pose, other.standing);
+        if (stopped == nullptr) continue;
+        bodies.push_back(other.body);
+        if (why == nullptr) why = stopped;
+    }
+    return bodies;
+}
+
+const SkillRun::Stopped& SkillRun::lift_stoppers(std::size_t lift) {
+    std::optional<Stopped>& known = lift_stoppers_[lift];
+    if (!known) {
+        known.emplace();
+        known->bodies = hand_stoppers(1 + lift, known->why);
+    }
+    return *known;
+}
+
+/// The hand alone is stopped.
+bool SkillRun::hand_fails() {
+    if (site_.failure()) {
+        log_.add_fixed(*site_.failure());
+        return true;
+    }
+    const ActionFailure* why = nullptr;
+    std::vector<int> all = hand_stoppers(0, why);
+    if (!all.empty()) {
+        log_.add_blocked(std::move(all), *why);
+        return true;
+    }
+    for (std::size_t i = 0; i < kLifts; ++i)
+        if (site_.can_lift(i) && lift_stoppers(i).bodies.empty()) return false;
+    for (std::size_t i = 0; i < kLifts; ++i)
+        if (site_.can_lift(i)) log_.add_blocked(lift_stoppers(i).bodies, *lift_stoppers(i).why);
+    return true;
+}
+
+bool SkillRun::try_stance(Stance& stance) {
+    if (model_.base >= 0) {
+        const auto base = checker(skill_ == Skill::place, model_.base, home({}, skill_ == Skill::place));
+        if (!base->is_free(stance.positions)) {
+            const ActionFailure why = contact_on_path(*base, {stance.positions}, "the base beside it");
+            std::vector<int> bodies;
+            bool fixed = why.contacts.empty();
+            for (const Contact& contact : why.contacts) {
+                const std::vector<int> movable = movable_in({contact});
+                fixed = fixed || movable.empty();
+                bodies.insert(bodies.end(), movable.begin(), movable.end());
+            }
+            if (fixed)
+                log_.add_fixed(why);
+            else
+                log_.add_blocked(std::move(bodies), why);
+            return false;
+        }
+    }
+    const auto count = static_cast<std::uint64_t>(model_.options.arm_configurations);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (out_of_budget()) return false;
+        Way& way = site_.way(stance, variation_ * count + i);
+        if (way.arm.empty()) {
+            if (i == 0) log_.add_fixed(*way.failure);
+            return false;
+        }
+        if (try_way(stance, way)) return true;
+    }
+    return false;
+}
+
+bool SkillRun::try_way(Stance& stance, Way& way) {
+    if (way.failure) {
+        log_.add_fixed(*way.failure);
+        return false;
+    }
+    const ActionFailure* why = nullptr;
+    std::vector<int> all = arm_stoppers(0, stance, way, why);
+    if (!all.empty()) {
+        log_.add_blocked(std::move(all), *why);
+        return false;
+    }
+    std::size_t lift = 0;
+    std::vector<Stopped> stopped;
+    for (; lift < kLifts; ++lift) {
+        if (!site_.can_lift(lift)) continue;
+        if (site_.lift(stance, way, lift).empty()) continue;
+        Stopped by = lift_stoppers(lift);
+        const std::vector<int> of_arm = arm_stoppers(1 + lift, stance, way, by.why);
+        by.bodies.insert(by.bodies.end(), of_arm.begin(), of_arm.end());
+        if (by.bodies.empty()) break;
+        stopped.push_back(std::move(by));
+    }
+    if (lift == kLifts) {
+        for (Stopped& by : stopped) log_.add_blocked(std::move(by.bodies), *by.why);
+        if (stopped.empty()) log_.add_fixed(*way.stuck);
+        return false;
+    }
+    if (!confirm(stance, way, lift)) return false;
+    std::optional<Path> transit = travel(way.transit, stance, false, way.back.back(), "the way without it");
+    if (!transit) return false;
+    std::optional<Path> transfer =
+        travel(way.transfers[lift], stance, true, way.lifts[lift]->back(), "the way with it");
+    if (!transfer) return false;
+    Path there, away;
+    if (model_.base >= 0) {
+        const Configuration begin = model_.robot->extract(model_.group(model_.base), model_.home);
+        const bool laden_there = skill_ == Skill::place;
+        if (begin != stance.positions) {
+            const auto first = checker(laden_there, model_.base, home({}, laden_there));
+            std::optional<Path> path = drive(*first, begin, stance.positions, "the drive of the base");
+            if (!path) return false;
+            there = std::move(*path);
+            const auto second = checker(!laden_there, model_.base, home({}, !laden_there));
+            if (is_path_free(*second, there, model_.options.certified)) {
+                away = reversed(there);
+            } else {
+                path = drive(*second, stance.positions, begin, "the drive back");
+                if (!path) return false;
+                away = std::move(*path);
+            }
+        }
+    }
+    assemble(stance, way, lift, std::move(*transit), std::move(*transfer), std::move(there), std::move(away));
+    return true;
+}
+
+bool SkillRun::confirm(const Stance& stance, const Way& way, std::size_t lift) {
+    std::vector<SkillSpace::Id> near;
+    std::vector<int> bodies;
+    for (const Other& other : others_) {
+        if (!site_.is_near(other.body, (*standing_world_)[other.body].pose)) continue;
+        near.push_back(other.standing);
+        bodies.push_back(other.body);
+    }
+    if (near.empty()) return true;
+    const bool certified = model_.options.certified;
+    if (is_path_free(*space_.checker_among(near, {}, stance.base), way.back, certified) &&
+        is_path_free(*space_.checker_among(near, site_.held(), stance.base), *way.lifts[lift], certified)) {
+        return true;
+    }
+    log_.add_no_path(bodies, {.reason = Reason::collision,
+                              .message = "the hand only just touches what it passes by",
+                              .definite = false});
+    return false;
+}
+
+bool SkillRun::is_free_of_others(KnownPath& known, const Stance& stance, bool holding) const {
+    std::vector<SkillSpace::Id> unknown;
+    for (const Other& other : others_)
+        if (!known.free_of.contains(other.standing)) unknown.push_back(other.standing);
+    if (unknown.empty()) return true;
+    const auto held = holding ? std::optional(site_.held()) : std::nullopt;
+    if (!is_path_free(*space_.checker_among(unknown, held, stance.base), known.found.path,
+                      model_.options.certified)) {
+        return false;
+    }
+    known.free_of.insert(unknown.begin(), unknown.end());
+    return true;
+}
+
+std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stance& stance, bool holding,
+                                     const Configuration& end, const std::string& phase) {
+    const Configuration rest = home(stance, holding);
+    const Configuration start = model_.robot->extract(model_.group(model_.arm), rest);
+    if (!known) {
+        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_.standing(), site_.held(),
+                            stance.base};
+        known.emplace();
+        known->found = start == end ? MotionResult{.status = MotionStatus::solved, .path = {start}}
+                                    : model_.travel(*space_.checker(probe), start, end, 0, budget_);
+    }
+    std::vector<int> blockers;
+    if (known->found.status == MotionStatus::solved) {
+        if (is_free_of_others(*known, stance, holding)) return known->found.path;
+        for (const Other& other : others_) {
+            const ProbeOf bare{Probe::bare_arm, other.standing, 0, stance.base};
+            if (!is_path_free(*space_.checker(bare), known->found.path, false)) blockers.push_back(other.body);
+        }
+    }
+    const auto all = checker(holding, model_.arm, rest);
+    MotionResult found = model_.travel(*all, start, end, variation_, budget_);
+    if (found.status == MotionStatus::solved) return std::move(found.path);
+    log_no_path(found, blockers, phase);
     return std::nullopt;
 }
 
-/// Straight up; under a roof a little up, then back along the hand; where even that is too much, only back.
-std::vector<std::vector<Vector3>> SkillRun::ways_up(const Vector3& approach) const {
-    const Vector3 back = -model_.options.approach * approach;
-    return {{{0, 0, model_.options.lift}}, {{0, 0, model_.options.low_lift}, back}, {back}};
+std::optional<Path> SkillRun::drive(CollisionChecker& checker, const Configuration& from, const Configuration& to,
+                                    const std::string& phase) {
+    MotionResult found = model_.travel(checker, from, to, variation_, budget_);
+    if (found.status == MotionStatus::solved) return std::move(found.path);
+    log_no_path(found, {}, phase);
+    return std::nullopt;
 }
 
-bool SkillRun::refuse(CollisionChecker& checker, const Configuration& positions, const std::string& phase) {
-    hopeless_ = log_.add_contact(checker, positions, phase);
-    return false;
+void SkillRun::log_no_path(const MotionResult& found, const std::vector<int>& blockers,
+                           const std::string& phase) {
+    ActionFailure why{.reason = Reason::no_path, .message = "no path found for " + phase, .definite = false};
+    std::vector<int> bodies = blockers;
+    if (found.status != MotionStatus::not_found) {
+        why.message = phase + ": " + std::string(to_string(found.status));
+        bodies = movable_in(found.contacts);
+        if (bodies.size() > 1) bodies.erase(bodies.begin() + 1, bodies.end());
+    } else if (bodies.empty()) {
+        for (const Obstruction& met : found.obstructions)
+            if (met.who.kind == Participant::Kind::body &&
+                std::ranges::find(others_, met.who.index, &Other::body) != others_.end())
+                bodies.push_back(met.who.index);
+    }
+    const char* joint = "; in the way: '";
+    for (const int body : bodies) {
+        why.message += joint + (*standing_world_)[body].model->name + "'";
+        joint = ", '";
+    }
+    log_.add_no_path(bodies, why);
+}
+
+std::vector<int> SkillRun::movable_in(const std::vector<Contact>& contacts) const {
+    std::vector<int> bodies;
+    for (const Contact& contact : contacts)
+        for (const Participant& who : {contact.first, contact.second})
+            if (who.kind == Participant::Kind::body &&
+                std::ranges::find(others_, who.index, &Other::body) != others_.end())
+                bodies.push_back(who.index);
+    return bodies;
+}
+
+void SkillRun::assemble(const Stance&, const Way& way, std::size_t lift, Path transit, Path transfer, Path there,
+                        Path away) {
+    std::vector<MotionPiece>& pieces = motion_.pieces;
+    const auto add = [&](Kind kind, int group, Path path, bool homing) {
+        if (path.size() > 1)
+            pieces.push_back({.kind = kind, .group = group, .path = std::move(path), .homing = homing});
+    };
+    const auto fingers = [&](double from, double to) {
+        if (model_.gripper < 0) return;
+        Configuration now = model_.fingers(from);
+        Configuration then = model_.fingers(to);
+        if (now != then) add(Kind::gripper, model_.gripper, {std::move(now), std::move(then)}, false);
+    };
+    const double open = model_.effector.max_opening;
+    const double closed = ManipulatorModel::grip(grasp_);
+    add(Kind::base, model_.base, std::move(there), true);
+    if (skill_ == Skill::pick) {
+        add(Kind::transit, model_.arm, std::move(transit), true);
+        add(Kind::approach, model_.arm, reversed(way.back), false);
+        fingers(open, closed);
+        pieces.push_back(
+            {.kind = Kind::gripper, .group = model_.arm, .attach = {{body_, model_.hold(grasp_)}}});
+        add(Kind::retreat, model_.arm, *way.lifts[lift], false);
+        add(Kind::transfer, model_.arm, reversed(std::move(transfer)), true);
+    } else {
+        add(Kind::transfer, model_.arm, std::move(transfer), true);
+        add(Kind::approach, model_.arm, reversed(*way.lifts[lift]), false);
+        pieces.push_back({.kind = Kind::gripper, .group = model_.arm, .detach = {{body_, pose_}}});
+        fingers(closed, open);
+        add(Kind::retreat, model_.arm, way.back, false);
+        add(Kind::transit, model_.arm, reversed(std::move(transit)), true);
+    }
+    add(Kind::base, model_.base, std::move(away), true);
+}
+
+std::unique_ptr<CollisionChecker> SkillRun::checker(bool holding, int group, const Configuration& rest) const {
+    return model_.checker(holding ? holding_world_ : standing_world_, group, rest);
+}
+
+Configuration SkillRun::home(const Stance& stance, bool holding) const {
+    return holding ? space_.home(stance.base, site_.held()) : space_.home(stance.base);
 }
 
 bool SkillRun::out_of_budget() {
     if (budget_.exhausted() == Stop::none) return false;
-    log_.add_unreachable("the time is up", false);
+    log_.add_fixed({.reason = Reason::kinematics, .message = "the time is up", .definite = false});
     return true;
 }
 

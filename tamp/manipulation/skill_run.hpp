@@ -1,70 +1,82 @@
-// One call of a skill: tries the ways to do it, one after the other, and keeps the pieces of motion of the
-// one that works.
+// One call of a skill: tries the ways of a site, one after the other, and puts together the pieces of motion
+// of the one that works. To place a body is to pick it from where it shall stand, backwards.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "tamp/manipulation/failure_log.hpp"
-#include "tamp/manipulation/manipulator_model.hpp"
+#include "tamp/manipulation/site.hpp"
 
 namespace praxis::tamp {
 
 class SkillRun {
   public:
-    SkillRun(const ManipulatorModel& model, WorldPointer world, std::string what, const Budget& budget,
-             std::uint64_t variation)
-        : model_(model),
-          budget_(budget),
-          variation_(variation),
-          log_(std::move(what), model.effector.links),
-          state_{model.home, std::move(world)} {}
+    enum class Skill : std::uint8_t { pick, place };
 
-    ActionResult pick(int body, const Grasp& grasp);
-    ActionResult place(int body, const Grasp& grasp, const Pose& pose);
+    /// `body` stands at `pose` before it is picked, and after it is placed; where it stands in `world` means
+    /// nothing.
+    SkillRun(SkillSpace& space, Site& site, Skill skill, const World& world, int body, const Pose& pose,
+             const Grasp& grasp, const Budget& budget, std::uint64_t variation);
+
+    ActionResult run();
 
   private:
     using Kind = TrajectoryDocument::Motion;
 
-    struct State {
-        Configuration configuration;  ///< of the whole robot
-        WorldPointer world;
+    /// A movable body that stands.
+    struct Other {
+        int body = 0;
+        SkillSpace::Id standing = 0;
     };
+    /// By lift: the bodies that each stop it, and how the first does.
+    struct Stopped {
+        std::vector<int> bodies = {};
+        const ActionFailure* why = nullptr;
+    };
+    using Stoppers = std::array<std::optional<Stopped>, kLifts>;
 
-    /// Calls `attempt` where the robot is or, with a mobile base, from one base pose after the other.
-    template <class Attempt>
-    ActionResult from_base_poses(const Vector3& around, Attempt&& attempt);
-    bool pick_from_here(int body, const Grasp& grasp);
-    bool place_from_here(int body, const Grasp& grasp, const Pose& pose);
-    bool pick_with(int body, const Grasp& grasp, const Configuration& arm);
-    bool place_with(int body, const Grasp& grasp, const Pose& pose, const Configuration& arm);
-    /// Brings the arm home.
-    bool fold(Kind kind);
-
-    void add(Kind kind, int group, Path path);
-    void move_fingers(double opening);
-    void set_world(World world) { state_.world = std::make_shared<const World>(std::move(world)); }
-    bool travel(CollisionChecker& checker, Kind kind, int group, const Configuration& goal,
-                const std::string& phase, bool homing);
-    /// A path along straight lines that is free, the first of several; none: the reasons are logged.
-    std::optional<Path> free_line(CollisionChecker& checker, const Configuration& arm,
-                                  const std::vector<std::vector<Vector3>>& ways, const std::string& phase);
-    std::vector<std::vector<Vector3>> ways_up(const Vector3& approach) const;
+    /// Those that each stop a part of the way of the hand alone; `why`: how the first does.
+    std::vector<int> hand_stoppers(std::size_t part, const ActionFailure*& why);
+    std::vector<int> arm_stoppers(std::size_t part, const Stance& stance, Way& way, const ActionFailure*& why);
+    bool hand_fails();
+    /// Those that stop a lift of the hand.
+    const Stopped& lift_stoppers(std::size_t lift);
+    bool try_stance(Stance& stance);
+    bool try_way(Stance& stance, Way& way);
+    /// The hand, on the paths of the arm, touches nothing that it only just passes by.
+    bool confirm(const Stance& stance, const Way& way, std::size_t lift);
+    /// A path of the arm from home to `end`.
+    std::optional<Path> travel(std::optional<KnownPath>& known, const Stance& stance, bool holding,
+                               const Configuration& end, const std::string& phase);
+    bool is_free_of_others(KnownPath& known, const Stance& stance, bool holding) const;
+    std::optional<Path> drive(CollisionChecker& checker, const Configuration& from, const Configuration& to,
+                              const std::string& phase);
+    /// Blames the movable bodies that were met.
+    void log_no_path(const MotionResult& found, const std::vector<int>& blockers, const std::string& phase);
+    std::vector<int> movable_in(const std::vector<Contact>& contacts) const;
+    void assemble(const Stance& stance, const Way& way, std::size_t lift, Path transit, Path transfer, Path there,
+                  Path away);
+    std::unique_ptr<CollisionChecker> checker(bool holding, int group, const Configuration& rest) const;
+    Configuration home(const Stance& stance, bool holding) const;
     bool out_of_budget();
 
-    /// Bookkeeping of a way that fails: false.
-    bool refuse(CollisionChecker& checker, const Configuration& positions, const std::string& phase);
-
+    SkillSpace& space_;
     const ManipulatorModel& model_;
+    Site& site_;
+    Skill skill_;
+    int body_;
+    Pose pose_;
+    Grasp grasp_;
     const Budget& budget_;
     std::uint64_t variation_;
     FailureLog log_;
-    State state_;
-    std::vector<MotionPiece> pieces_;
-    /// The hand itself, at its target, touches something: other positions of the arm do not help.
-    bool hopeless_ = false;
+    WorldPointer standing_world_;  ///< the body stands at its pose
+    WorldPointer holding_world_;   ///< the robot holds it
+    std::vector<Other> others_;
+    Stoppers lift_stoppers_;  ///< of the hand; found out where they are asked for
+    ActionMotion motion_;
 };
 
 }  // namespace praxis::tamp

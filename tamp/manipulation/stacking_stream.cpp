@@ -1,8 +1,7 @@
 #include "tamp/manipulation/stacking_stream.hpp"
 
-#include <stdexcept>
-
 #include "tamp/geometry/extent.hpp"
+#include "tamp/manipulation/scene_lookup.hpp"
 
 namespace praxis::tamp {
 
@@ -17,12 +16,9 @@ std::optional<Pose> stacking_pose(const BodyModel& upper, const BodyModel& lower
 }
 
 void bind_stacking(StreamLibrary& library, std::shared_ptr<const PickPlaceScene> scene) {
-    const auto model = [scene](const Value& value) -> const BodyModel& {
-        const auto found = scene->bodies.find(value.name());
-        if (found == scene->bodies.end()) {
-            throw std::invalid_argument("the scene has no body for '" + value.name() + "'");
-        }
-        return *scene->world[found->second].model;
+    const SceneLookup lookup(std::move(scene));
+    const auto model = [lookup](const Value& value) -> const BodyModel& {
+        return *lookup.scene().world[lookup.body(value)].model;
     };
     const auto stack = [model](StreamCall& call) {
         const std::optional<Pose> pose =

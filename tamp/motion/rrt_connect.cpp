@@ -120,8 +120,8 @@ class RrtConnect {
 
     /// Trees take turns while neither is more than twice the other; else the smaller one grows.
     void turn() {
-        const double own = trees_[growing_].size();
-        const double other = trees_[1 - growing_].size();
+        const int own = trees_[growing_].size();
+        const int other = trees_[1 - growing_].size();
         if (own > other || other < 2 * own) growing_ = 1 - growing_;
     }
 

@@ -39,8 +39,8 @@ class Sampler {
 
     void next(double* positions) {
         for (std::size_t v = 0; v < dimension_; ++v) {
-            places_[v] += steps_[v];
-            if (places_[v] >= 1) places_[v] -= 1;
+            const double place = places_[v] + steps_[v];
+            places_[v] = place - static_cast<double>(place >= 1);
             positions[v] = lower_[v] + places_[v] * width_[v];
         }
     }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <map>
+#include <set>
 #include <tuple>
 
 namespace praxis::tamp {
@@ -79,10 +82,11 @@ class Backjumper {
             if (stopped_) return cut_off(depth);
             blame(depth);
             const std::uint32_t back = target(depth);
-            if (back == kNone) return failure(levels_[depth].explanation);
+            if (back == kNone) return failure(levels_[depth].explanation, levels_[depth].alternatives);
             levels_[back].conflict.merge(levels_[depth].conflict);
             levels_[back].conflict.reset(back);
             levels_[back].explanation.merge(levels_[depth].explanation);
+            levels_[back].alternatives.merge(levels_[depth].alternatives);
             depth = back;
         }
         SampleOutcome outcome;
@@ -102,7 +106,7 @@ class Backjumper {
             enter(depth);
             if (advance(depth) || stopped_) continue;
             blame(depth);
-            SampleOutcome outcome = failure(levels_[depth].explanation);
+            SampleOutcome outcome = failure(levels_[depth].explanation, levels_[depth].alternatives);
             if (outcome.definite) result.push_back(std::move(outcome));
         }
         return result;
@@ -118,6 +122,8 @@ class Backjumper {
         bool cut = false;
         Bits conflict;     ///< levels to jump back to
         Bits explanation;  ///< nodes, then "a limit has cut something off", then fluents of nodes
+        /// Of each of these sets, the explanation needs one fluent; their arguments are known.
+        std::set<std::vector<std::uint32_t>> alternatives;
     };
 
     std::size_t soft_bit() const { return skeleton_.nodes.size(); }
@@ -153,9 +159,12 @@ class Backjumper {
         }
     }
 
-    std::tuple<double, bool, std::uint32_t, std::uint32_t> rank(std::uint32_t n) const {
+    /// Cheap tests at once, all else when its step comes: then little is done anew where a sample changes.
+    std::tuple<bool, std::uint32_t, double, std::uint32_t> rank(std::uint32_t n) const {
+        constexpr double kCheap = 100;
         const SkeletonNode& node = skeleton_.nodes[n];
-        return {samples_.info(node.stream).effort, !node.outputs.empty(), node.step, n};
+        const double effort = samples_.info(node.stream).effort;
+        return {!node.outputs.empty() || effort > kCheap, node.step, effort, n};
     }
 
     std::vector<std::uint32_t> dependencies(std::uint32_t n) const {
@@ -178,23 +187,21 @@ class Backjumper {
         level.cut = false;
         level.conflict.clear();
         level.explanation.clear();
+        level.alternatives.clear();
         level.inputs.clear();
         for (const std::uint32_t slot : current.inputs) level.inputs.push_back(values_[slot]);
-        level.fluents.clear();
-        if (!current.fluents.empty()) {
-            std::vector<std::pair<ValueAtom, std::uint32_t>> atoms;
-            for (std::uint32_t i = 0; i < current.fluents.size(); ++i) {
-                ValueAtom atom{current.fluents[i].atom[0]};
-                for (const std::uint32_t slot : current.fluents[i].slots) atom.push_back(values_[slot]);
-                atoms.emplace_back(std::move(atom), i);
-            }
-            std::ranges::sort(atoms);
-            level.fluent_order.clear();
-            for (auto& [atom, place] : atoms) {
-                level.fluents.push_back(std::move(atom));
-                level.fluent_order.push_back(place);
-            }
+        const std::size_t size = current.fluents.size();
+        atoms_.resize(std::max(atoms_.size(), size));
+        level.fluent_order.resize(size);
+        level.fluents.resize(size);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            level.fluent_order[i] = i;
+            atoms_[i].assign(1, current.fluents[i].atom[0]);
+            for (const std::uint32_t slot : current.fluents[i].slots) atoms_[i].push_back(values_[slot]);
         }
+        std::ranges::sort(level.fluent_order,
+                          [&](std::uint32_t a, std::uint32_t b) { return atoms_[a] < atoms_[b]; });
+        for (std::size_t i = 0; i < size; ++i) level.fluents[i] = atoms_[level.fluent_order[i]];
         level.list = &samples_.list(current.stream, level.inputs, level.fluents);
     }
 
@@ -237,25 +244,51 @@ class Backjumper {
         const bool everything = !limits_.blame || list.count > 0 || list.attempts == 0;
         for (std::size_t i = 0; i < current.inputs.size(); ++i)
             if (everything || list.inputs[i]) conflict(level, current.inputs[i]);
-        for (std::size_t i = 0; i < level.fluents.size(); ++i) {
-            if (!everything && !list.fluents[i]) continue;
-            level.explanation.set(first_fluent_[n] + level.fluent_order[i]);
-            for (const std::uint32_t slot : current.fluents[level.fluent_order[i]].slots)
-                conflict(level, slot);
+        if (!everything && !list.each.empty()) {
+            choose(level, n);
+            return;
+        }
+        for (std::size_t i = 0; i < level.fluents.size(); ++i)
+            if (everything || list.fluents[i]) accuse(level, n, level.fluent_order[i]);
+    }
+
+    void accuse(Level& level, std::uint32_t n, std::uint32_t fluent) {
+        level.explanation.set(first_fluent_[n] + fluent);
+        for (const std::uint32_t slot : skeleton_.nodes[n].fluents[fluent].slots) conflict(level, slot);
+    }
+
+    /// Each of several fluents explains the failure alone. Those that leave nothing to jump back to are kept, to
+    /// choose later the ones that explain other failures, too; if there is none, the one that lets jump furthest.
+    void choose(Level& level, std::uint32_t n) {
+        const std::vector<SkeletonFluent>& fluents = skeleton_.nodes[n].fluents;
+        std::vector<std::uint32_t> alternatives;
+        std::uint32_t best = level.fluent_order[level.list->each.front()];
+        std::uint32_t best_depth = kNone;
+        for (const std::uint32_t i : level.list->each) {
+            const std::uint32_t fluent = level.fluent_order[i];
+            if (known(fluents[fluent])) {
+                alternatives.push_back(static_cast<std::uint32_t>(first_fluent_[n] + fluent));
+                continue;
+            }
+            std::uint32_t depth = 0;
+            for (const std::uint32_t slot : fluents[fluent].slots)
+                if (skeleton_.slots[slot].node != kNone)
+                    depth = std::max(depth, depth_of_[skeleton_.slots[slot].node]);
+            if (depth >= best_depth) continue;
+            best_depth = depth;
+            best = fluent;
+        }
+        if (alternatives.empty()) {
+            accuse(level, n, best);
+        } else {
+            std::ranges::sort(alternatives);
+            level.alternatives.insert(std::move(alternatives));
         }
     }
 
     bool known(const SkeletonFluent& fluent) const {
         return std::ranges::all_of(fluent.slots,
                                    [&](std::uint32_t slot) { return skeleton_.slots[slot].node == kNone; });
-    }
-
-    /// Of the fluents that each explain the failure alone, one that leaves nothing to jump back to, if there
-    /// is one.
-    std::size_t simplest(const Level& level, const SkeletonNode& current) const {
-        for (const std::uint32_t i : level.list->each)
-            if (known(current.fluents[level.fluent_order[i]])) return i;
-        return level.list->each.front();
     }
 
     void conflict(Level& level, std::uint32_t slot) {
@@ -271,29 +304,54 @@ class Backjumper {
         return depth - 1;
     }
 
-    SampleOutcome failure(const Bits& explanation) const {
+    SampleOutcome failure(Bits explanation, const std::set<std::vector<std::uint32_t>>& alternatives) const {
         SampleOutcome outcome;
         outcome.definite = !explanation.test(soft_bit());
+        const std::vector<std::uint32_t> common = all_common(explanation, alternatives);
+        settle(explanation, alternatives);
         for (std::uint32_t n = 0; n < skeleton_.nodes.size(); ++n) {
             if (explanation.test(n)) outcome.nodes.push_back(n);
             for (std::uint32_t i = 0; i < skeleton_.nodes[n].fluents.size(); ++i)
                 if (explanation.test(first_fluent_[n] + i)) outcome.fluents.emplace_back(n, i);
         }
-        if (outcome.fluents.size() == 1) add_others(outcome);
+        if (outcome.fluents.size() != 1) return outcome;
+        for (const std::uint32_t bit : common)
+            if (!explanation.test(bit)) outcome.others.push_back(fluent_of(bit));
         return outcome;
     }
 
-    void add_others(SampleOutcome& outcome) const {
-        const auto [n, chosen] = outcome.fluents.front();
-        const Level& level = levels_[depth_of_[n]];
-        if (!limits_.blame || level.list == nullptr || level.list->count > 0 ||
-            !known(skeleton_.nodes[n].fluents[chosen]))
-            return;
-        for (const std::uint32_t i : level.list->each) {
-            const std::uint32_t other = level.fluent_order[i];
-            if (other != chosen && known(skeleton_.nodes[n].fluents[other]))
-                outcome.others.emplace_back(n, other);
+    /// Takes few fluents such that there is one of every set.
+    static void settle(Bits& explanation, const std::set<std::vector<std::uint32_t>>& alternatives) {
+        for (;;) {
+            std::map<std::uint32_t, std::size_t> counts;
+            for (const std::vector<std::uint32_t>& set : alternatives) {
+                if (std::ranges::any_of(set, [&](std::uint32_t bit) { return explanation.test(bit); })) continue;
+                for (const std::uint32_t bit : set) ++counts[bit];
+            }
+            if (counts.empty()) return;
+            explanation.set(std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first);
         }
+    }
+
+    /// Fluents that are in all sets, if there is no other fluent in the explanation.
+    std::vector<std::uint32_t> all_common(const Bits& explanation,
+                                          const std::set<std::vector<std::uint32_t>>& alternatives) const {
+        if (alternatives.empty()) return {};
+        for (std::size_t bit = soft_bit() + 1; bit < first_fluent_.back(); ++bit)
+            if (explanation.test(bit)) return {};
+        std::vector<std::uint32_t> common = *alternatives.begin();
+        for (const std::vector<std::uint32_t>& set : alternatives) {
+            std::vector<std::uint32_t> both;
+            std::ranges::set_intersection(common, set, std::back_inserter(both));
+            common = std::move(both);
+        }
+        return common;
+    }
+
+    std::pair<std::uint32_t, std::uint32_t> fluent_of(std::uint32_t bit) const {
+        const auto after = std::ranges::upper_bound(first_fluent_, std::size_t{bit});
+        const auto n = static_cast<std::uint32_t>(after - first_fluent_.begin() - 1);
+        return {n, static_cast<std::uint32_t>(bit - first_fluent_[n])};
     }
 
     /// The limit is reached: the node that failed most often is to blame, as far as one can tell.
@@ -305,7 +363,7 @@ class Backjumper {
         explanation.merge(levels_[blamed].explanation);
         explanation.set(order_[blamed]);
         explanation.set(soft_bit());
-        return failure(explanation);
+        return failure(explanation, levels_[blamed].alternatives);
     }
 
     const SymbolicTask& task_;
@@ -319,6 +377,7 @@ class Backjumper {
     std::vector<Level> levels_;
     std::vector<std::uint64_t> failures_;  ///< by node
     std::vector<ValueNumber> values_;      ///< by slot
+    std::vector<ValueAtom> atoms_;         ///< scratch
     std::uint32_t calls_left_ = 0;
     bool stopped_ = false;
 };

@@ -49,10 +49,10 @@ Samples::Samples(const RefinementProblem& problem, const Budget& budget, RefineS
 
 SampleList& Samples::list(StreamId stream, std::span<const ValueNumber> inputs,
                           std::span<const ValueAtom> fluents) {
-    Tuple key{stream.index()};
-    key.insert(key.end(), inputs.begin(), inputs.end());
-    for (const ValueAtom& atom : fluents) key.insert(key.end(), atom.begin(), atom.end());
-    SampleList& list = lists_[std::move(key)];
+    key_.assign(1, stream.index());
+    key_.insert(key_.end(), inputs.begin(), inputs.end());
+    for (const ValueAtom& atom : fluents) key_.insert(key_.end(), atom.begin(), atom.end());
+    SampleList& list = lists_[key_];
     if (list.inputs.empty() && list.fluents.empty()) {
         list.inputs.assign(inputs.size(), false);
         list.fluents.assign(fluents.size(), false);

@@ -82,6 +82,7 @@ class Samples {
     std::vector<Value> values_;
     std::vector<std::uint64_t> fingerprints_;  ///< by value: the same whatever the order of calls
     TupleMap<SampleList> lists_;
+    Tuple key_;  ///< scratch
     std::map<std::tuple<std::string, std::string, Reason, std::string>, Attempt> attempts_;
     double effort_ = 0;
 };

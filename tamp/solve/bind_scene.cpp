@@ -5,6 +5,7 @@
 
 #include "parser/files.hpp"
 #include "parser/suggest.hpp"
+#include "tamp/manipulation/configuration_streams.hpp"
 #include "tamp/manipulation/manipulator_model.hpp"
 #include "tamp/manipulation/stacking_stream.hpp"
 
@@ -71,6 +72,17 @@ void add_initial_poses(const LiftedTask& task, const Scene& scene,
     }
 }
 
+/// The configuration of `(at-configuration Q)`.
+void add_initial_configuration(const LiftedTask& task, const Configuration& start,
+                               std::map<std::string, Value, std::less<>>& values) {
+    for (std::size_t p = 0; p < task.predicates.size(); ++p) {
+        const Relation& relation = task.initial_atoms[p];
+        if (task.predicates[p].name != "at-configuration" || relation.arity != 1) continue;
+        for (std::size_t i = 0; i < relation.count; ++i)
+            values.try_emplace(task.objects[relation.tuple(i)[0].index()].name, Value::of(start));
+    }
+}
+
 }  // namespace
 
 BoundScene bind_scene(const StreamTask& task, const Scene& scene, const SceneOptions& options) {
@@ -87,8 +99,10 @@ BoundScene bind_scene(const StreamTask& task, const Scene& scene, const SceneOpt
     places->placements = options.placements;
     bind_pick_place(bound.library, places, bound.manipulator);
     bind_stacking(bound.library, places);
+    bind_configurations(bound.library, places, bound.manipulator);
     for (const auto& [name, pose] : scene.poses) bound.values.emplace(name, Value::of(pose));
     add_initial_poses(*task.task, scene, bound.values);
+    add_initial_configuration(*task.task, bound.manipulator->model().home, bound.values);
     return bound;
 }
 

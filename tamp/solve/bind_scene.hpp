@@ -18,7 +18,7 @@ struct BoundScene {
     /// The built-in streams; more may be bound to it (docs/tamp.md has an example).
     StreamLibrary library;
     /// Of the problem's objects: the scene's poses by their names, and for each initial atom `(at BODY POSE)`
-    /// where the body stands in the scene.
+    /// where the body stands in the scene; for `(at-configuration Q)` where the robot starts.
     std::map<std::string, Value, std::less<>> values;
 };
 

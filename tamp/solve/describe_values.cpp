@@ -2,12 +2,14 @@
 
 #include <optional>
 
+#include "tamp/manipulation/action_motion.hpp"
 #include "tamp/sampling/grasps.hpp"
 
 namespace praxis::tamp {
 namespace {
 
-std::optional<TrajectoryDocument::Value> describe(const Value& value) {
+std::optional<TrajectoryDocument::Value> describe(const Value& value,
+                                                  const TrajectoryDocument::Action& action) {
     const auto numbers = [](const Pose& pose) {
         const TrajectoryDocument::PoseNumbers seven = to_numbers(pose);
         return std::vector<double>(seven.begin(), seven.end());
@@ -18,6 +20,7 @@ std::optional<TrajectoryDocument::Value> describe(const Value& value) {
         result.numbers.push_back(grasp->opening);
         return result;
     }
+    if (value.is<ActionMotion>()) return TrajectoryDocument::Value{"motion", {action.start, action.end}};
     if (const Configuration* configuration = value.get_if<Configuration>())
         return TrajectoryDocument::Value{"configuration", *configuration};
     if (const double* number = value.get_if<double>()) return TrajectoryDocument::Value{"number", {*number}};
@@ -26,11 +29,13 @@ std::optional<TrajectoryDocument::Value> describe(const Value& value) {
 
 }  // namespace
 
-std::map<std::string, TrajectoryDocument::Value> describe_values(const RefinedPlan& plan) {
+std::map<std::string, TrajectoryDocument::Value> describe_values(
+    const RefinedPlan& plan, const std::vector<TrajectoryDocument::Action>& actions) {
     std::map<std::string, TrajectoryDocument::Value> result;
-    for (const RefinedStep& step : plan.steps)
-        for (const Value& argument : step.arguments)
-            if (auto described = describe(argument)) result.emplace(argument.name(), std::move(*described));
+    for (std::size_t i = 0; i < plan.steps.size(); ++i)
+        for (const Value& argument : plan.steps[i].arguments)
+            if (auto described = describe(argument, actions[i]))
+                result.emplace(argument.name(), std::move(*described));
     return result;
 }
 

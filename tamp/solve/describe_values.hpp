@@ -10,7 +10,9 @@
 namespace praxis::tamp {
 
 /// Those of types that Praxis knows: "pose" (x y z qx qy qz qw), "grasp" (the pose of the body in the tool's
-/// frame, then the opening in metres), "configuration", "number".
-std::map<std::string, TrajectoryDocument::Value> describe_values(const RefinedPlan& plan);
+/// frame, then the opening in metres), "motion" (when the action that has it begins and ends),
+/// "configuration", "number". `actions` are the plan's, in time.
+std::map<std::string, TrajectoryDocument::Value> describe_values(
+    const RefinedPlan& plan, const std::vector<TrajectoryDocument::Action>& actions);
 
 }  // namespace praxis::tamp

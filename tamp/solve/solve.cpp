@@ -19,6 +19,8 @@ namespace {
 
 /// The rest of the attempts is counted only.
 constexpr std::size_t kMostAttempts = 100;
+/// Plans that the validators may refuse, before it counts as a fault.
+constexpr int kTries = 4;
 
 /// A failure of a skill is a picture; of other streams only words are known.
 TrajectoryDocument::Attempt describe(const Attempt& attempt, const Robot& robot, const World& first) {
@@ -44,45 +46,58 @@ class Solver {
         const SceneOptions options = scene_options(problem_.scene);
         in_phase("bind", [&] { bound_ = bind_scene(problem_.task, problem_.scene, options); });
         if (callbacks_.bind) callbacks_.bind(bound_.library, problem_.scene);
-        in_phase("refine", [&] { refine(); });
-        Refinement& refinement = solution_.refinement;
-        if (refinement.plan) {
-            std::vector<ScheduledAction> actions;
-            in_phase("join", [&] { actions = join(*refinement.plan); });
-            in_phase("schedule", [&] {
-                solution_.document =
-                    schedule(*bound_.manipulator, *problem_.scene.world, actions, options_.schedule);
-                solution_.document.values = describe_values(*refinement.plan);
-            });
-            if (options_.validate) in_phase("validate", [&] { validate(*refinement.plan); });
-        } else {
-            solution_.document = begin_document(bound_.manipulator->robot(), *problem_.scene.world,
-                                                bound_.manipulator->model().home);
-        }
+        for (int number = 0; number < kTries && !find(number); ++number)
+            if (number + 1 == kTries) throw InvalidSolution(refused_);
         add_attempts();
         add_statistics();
         return std::move(solution_);
     }
 
   private:
+    /// False: a plan was found, but the validators refuse it.
+    bool find(int number) {
+        // The way between actions is what is looked at least closely; then only another plan helps.
+        const bool join_them = options_.join && number != 1;
+        if (number != 1) in_phase("refine", [&] { refine(static_cast<std::uint64_t>(number)); });
+        if (!solution_.refinement.plan) {
+            solution_.document = begin_document(bound_.manipulator->robot(), *problem_.scene.world,
+                                                bound_.manipulator->model().home);
+            return true;
+        }
+        const RefinedPlan& plan = *solution_.refinement.plan;
+        std::vector<ScheduledAction> actions;
+        in_phase("join", [&] { actions = motions_of(plan, join_them); });
+        in_phase("schedule", [&] {
+            solution_.document =
+                schedule(*bound_.manipulator, *problem_.scene.world, actions, options_.schedule);
+            solution_.document.values = describe_values(plan, solution_.document.plan);
+        });
+        if (!options_.validate) return true;
+        bool valid = false;
+        in_phase("validate", [&] { valid = validate(plan); });
+        return valid;
+    }
+
     template <class Work>
     void in_phase(const char* name, Work&& work) {
         if (callbacks_.on_phase) callbacks_.on_phase(name);
         const double start = thread_seconds();
         work();
-        solution_.phases.push_back({name, thread_seconds() - start});
+        const auto phase = std::ranges::find(solution_.phases, name, &SolvePhase::name);
+        SolvePhase& spent = phase != solution_.phases.end() ? *phase : solution_.phases.emplace_back(name);
+        spent.seconds += thread_seconds() - start;
     }
 
-    void refine() {
-        solution_.refinement = tamp::refine({.task = &problem_.task,
-                                             .library = &bound_.library,
-                                             .values = bound_.values,
-                                             .options = options_.refine},
-                                            budget_, {.on_progress = callbacks_.on_progress});
+    void refine(std::uint64_t number) {
+        RefineOptions options = options_.refine;
+        options.seed += number << 32;
+        solution_.refinement = tamp::refine(
+            {.task = &problem_.task, .library = &bound_.library, .values = bound_.values, .options = options},
+            budget_, {.on_progress = callbacks_.on_progress});
     }
 
     /// What every step does: its argument that is a motion; steps without one move nothing.
-    std::vector<ScheduledAction> join(const RefinedPlan& plan) const {
+    std::vector<ScheduledAction> motions_of(const RefinedPlan& plan, bool join) const {
         std::vector<ActionMotion> motions;
         std::vector<ScheduledAction> actions;
         for (const RefinedStep& step : plan.steps) {
@@ -94,23 +109,23 @@ class Solver {
                 if (const ActionMotion* own = argument.get_if<ActionMotion>()) motion = *own;
             }
         }
-        if (options_.join)
+        if (join)
             motions = join_motions(*bound_.manipulator, *problem_.scene.world, std::move(motions), budget_);
         for (std::size_t i = 0; i < actions.size(); ++i) actions[i].motion = std::move(motions[i]);
         return actions;
     }
 
-    void validate(const RefinedPlan& plan) {
+    bool validate(const RefinedPlan& plan) {
         const RefinementVerdict symbolic =
             validate_refinement(problem_.task, plan, problem_.scene, solution_.document);
-        if (!symbolic.valid) throw InvalidSolution("the plan is not valid: " + symbolic.reason);
+        if (!symbolic.valid) return refuse("the plan is not valid: " + symbolic.reason);
         TrajectoryCheck check = options_.check;
         for (auto& [name, area] : areas_of(problem_.scene))
             if (area.body < 0) check.floors.push_back(std::move(area));
         const TrajectoryVerdict motion = validate_trajectory(
             solution_.document, *problem_.scene.robot, *problem_.scene.world, problem_.scene.start, check);
         solution_.checked = motion.checked;
-        if (motion.valid) return;
+        if (motion.valid) return true;
         std::string where;
         if (motion.segment >= 0) {
             const TrajectoryDocument::Segment& segment =
@@ -118,8 +133,14 @@ class Solver {
             where = " (" + name_of(segment.kind) + " of " +
                     plan.action(static_cast<std::size_t>(segment.action)) + ")";
         }
-        throw InvalidSolution("the motion is not valid at " + std::to_string(motion.time) + " s" + where +
-                              ": " + motion.reason);
+        return refuse("the motion is not valid at " + std::to_string(motion.time) + " s" + where + ": " +
+                      motion.reason);
+    }
+
+    bool refuse(std::string reason) {
+        refused_ = std::move(reason);
+        ++solution_.refusals;
+        return false;
     }
 
     void add_attempts() {
@@ -141,6 +162,7 @@ class Solver {
         add("samples", statistics.samples);
         add("nogoods", statistics.nogoods);
         add("checked configurations", solution_.checked);
+        add("refused plans", solution_.refusals);
         for (const SolvePhase& phase : solution_.phases) numbers[phase.name + " seconds"] = phase.seconds;
     }
 
@@ -150,6 +172,7 @@ class Solver {
     const SolveCallbacks& callbacks_;
     BoundScene bound_;
     Solution solution_;
+    std::string refused_;  ///< why the last plan was refused
 };
 
 }  // namespace

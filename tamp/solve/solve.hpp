@@ -45,9 +45,9 @@ struct SolveOptions {
     TrajectoryCheck check = {};
 };
 
-/// What a phase of `solve` took, processor seconds of the calling thread.
+/// What a phase of `solve` took, processor seconds of the calling thread, all tries together.
 struct SolvePhase {
-    std::string name;  ///< "bind", "refine", "join", "schedule", "validate"
+    std::string name = {};  ///< "bind", "refine", "join", "schedule", "validate"
     double seconds = 0;
 };
 
@@ -56,6 +56,7 @@ struct Solution {
     /// Robot, scene and what was tried in vain; where solved, the plan and its motion, too.
     TrajectoryDocument document;
     std::size_t checked = 0;  ///< configurations that the validator looked at
+    int refusals = 0;         ///< plans that the validators refused before this one was found
     std::vector<SolvePhase> phases = {};
 };
 
@@ -66,7 +67,7 @@ struct SolveCallbacks {
     std::function<void(StreamLibrary&, const Scene&)> bind = {};
 };
 
-/// A plan was found that the validators refuse: a fault of Praxis.
+/// The validators refuse every plan that was found: a fault of Praxis.
 class InvalidSolution : public std::logic_error {
   public:
     using std::logic_error::logic_error;

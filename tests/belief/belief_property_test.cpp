@@ -94,14 +94,15 @@ class Walk {
     void observe(std::uint32_t action) {
         const State truth = naive_.of(world_.state());
         RC_ASSERT(std::find(states_.begin(), states_.end(), truth) != states_.end());
-        std::set<NaiveBelief::Literal> answers;
+        std::set<std::set<NaiveBelief::Literal>> answers;
         for (const Answer& answer : world_.observe(action)) {
             RC_ASSERT(belief_.learn(answer.fact));
-            if (const auto literal = naive_.literal(answer.fact)) answers.insert(*literal);
+            if (naive_.literal(answer.fact)) answers.insert(said(answer.fact));
         }
         for (const auto& literal : naive_.readings(action, truth)) {
             // What is certain anyway need not be told.
-            if (answers.erase(literal) == 0 && !holds_everywhere(literal))
+            const auto says = [&](const auto& answer) { return answer.contains(literal); };
+            if (std::erase_if(answers, says) == 0 && !holds_everywhere(literal))
                 RC_FAIL("not read: (" + naive_.atom_name(literal.first) + ")");
             // That nothing is read is no evidence, only answers are.
             std::erase_if(states_,
@@ -111,8 +112,19 @@ class Walk {
         std::erase_if(states_,
                       [&](const State& state) { return naive_.model_readings(action, state) != shown; });
         // What models show is read as what it depends on.
-        for (const auto& literal : answers) RC_ASSERT(!shown.empty() && holds_everywhere(literal));
+        for (const auto& answer : answers)
+            for (const auto& literal : answer) RC_ASSERT(!shown.empty() && holds_everywhere(literal));
         compare("after the readings");
+    }
+
+    /// What a fact says of the atoms of its variable: one value is also that the others do not hold.
+    std::set<NaiveBelief::Literal> said(Fact fact) const {
+        std::set<NaiveBelief::Literal> result;
+        const std::int32_t values = task_->physical->domain_sizes[static_cast<std::size_t>(fact.variable)];
+        for (std::int32_t value = 0; value < values; ++value)
+            if (const auto literal = naive_.literal({fact.variable, value}))
+                result.emplace(literal->first, literal->second == (value == fact.value));
+        return result;
     }
 
     bool holds_everywhere(const NaiveBelief::Literal& literal) const {

@@ -97,7 +97,7 @@ struct Prepared {
     std::vector<Eight> scratch;
 
     explicit Prepared(const CollisionProblem& problem, BallSide side = BallSide::outer)
-        : model(problem, side, PairChange::moving, cache),
+        : model(problem, side, cache),
           view(model.view()),
           scratch(static_cast<std::size_t>(kernel::scratch_size(view) / kLanes)) {}
 
