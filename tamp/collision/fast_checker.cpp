@@ -17,7 +17,7 @@ namespace {
 constexpr int kLanes = kernel::kLanes;
 constexpr double kFarthest = 1e4;
 /// Lengths of stretches of a motion (radians and metres): the first, and those where halving ends.
-constexpr double kFirstStretch = 1.0 / 8;
+constexpr double kFirstStretch = 1.0 / 32;
 constexpr double kLastStretch = 1.0 / 8192;
 constexpr double kLastCoveredStretch = 1.0 / 1024;
 
