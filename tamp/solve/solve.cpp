@@ -57,6 +57,7 @@ class Solver {
     /// False: a plan was found, but the validators refuse it.
     bool find(int number) {
         // The way between actions is what is looked at least closely; then only another plan helps.
+        if (number == 1 && !options_.join) return false;
         const bool join_them = options_.join && number != 1;
         if (number != 1) in_phase("refine", [&] { refine(static_cast<std::uint64_t>(number)); });
         if (!solution_.refinement.plan) {

@@ -251,14 +251,18 @@ TEST_F(Refine, InfeasibleIsSaidWithItsReasons) {
 }
 
 TEST_F(Refine, NothingLeftToTryIsNoProof) {
-    // No time for any motion: every plan fails, none for good.
+    // The region is full, and has more places than are ever tried.
+    std::string full = with(kScene, "surfaces:\n",
+                            "  - {name: crate, box: [0.4, 0.3, 0.02], pose: {xyz: [0.6, -0.28, 0.165]}}\n"
+                            "surfaces:\n");
+    full += "stream_options: {placements: 100000}\n";
     const Outcome outcome =
-        refine({kDomain, problem,
-                folder.write("hasty.yaml", std::string(kScene) + "stream_options: {plan_time: 0}\n"),
-                "--time-limit", "50"});
+        refine({kDomain, problem, folder.write("full.yaml", full), "--time-limit", "50", "--json", report});
     EXPECT_EQ(outcome.exit_code, 12) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "no plan was found")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("no plan was found\n")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "no free place for 'can' in 'right'")) << outcome.err;
     EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(json::parse(read_file(report))["status"], "failed");
 }
 
 TEST_F(Refine, WrongUsage) {
@@ -293,7 +297,7 @@ TEST_F(Refine, BrokenScenes) {
     scene_refused("", "other.yaml");
     scene_refused("robot: [", "other.yaml:1:");
     scene_refused(std::string("\0\xff\x01", 3), "other.yaml");
-    scene_refused(with(kScene, "bodies:", "bodys:"), "did you mean 'bodies'");
+    scene_refused(with(kScene, "regions:", "region:"), "did you mean 'regions'");
     scene_refused(with(kScene, "arm7", "arm8"), "arm8");
     scene_refused(with(kScene, "[0.6, 0, 0.1]", "[.nan, 0, 0.1]"), "other.yaml:3:");
     scene_refused(with(kScene, "[0.5, 1, 0.1]", "[0.5, -1, 0.1]"), "other.yaml:3:");
@@ -341,13 +345,14 @@ TEST_F(Refine, BrokenTasks) {
 }
 
 TEST_F(Refine, UnsupportedLanguageIsNamed) {
+    const std::string durative =
+        "(:durative-action wait :parameters () :duration (= ?duration 1) :condition () "
+        ":effect (at end (hand-empty)))\n  ";
     const std::string domain =
-        folder.write("durative.pddl",
-                     "(define (domain pick-place) (:requirements :durative-actions) (:predicates (p))\n"
-                     "  (:durative-action a :parameters () :duration (= ?duration 1) :condition () :effect "
-                     "(at end (p))))\n");
+        folder.write("durative.pddl", with(with(read_file(kDomain), ":strips", ":strips :durative-actions"),
+                                           "(:action pick", durative + "(:action pick"));
     refused(refine({domain, problem, scene, "--streams", folder.write("streams.pddl", streams())}),
-            "durative.pddl:2:", 34);
+            "durative actions are not supported", 34);
 }
 
 TEST_F(Refine, ResultsThatCannotBeWritten) {

@@ -36,6 +36,7 @@ TEST_P(ManyPlans, AreValid) {
     const Many& many = GetParam();
     const std::string folder = testing::TempDir() + "praxis-many-" + name_of(many);
     int solved = 0;
+    int refused = 0;
     const int plans = std::max(1, many.plans / kShare);
     for (int i = 0; i < plans; ++i) {
         // Other seeds than those that other tests use.
@@ -50,6 +51,7 @@ TEST_P(ManyPlans, AreValid) {
             const Solution solution =
                 solve(scene_problem(problem, folder), options, Budget().limit_wall_time(kSeconds));
             solved += solution.refinement.plan.has_value() ? 1 : 0;
+            refused += solution.refusals;
             EXPECT_EQ(solution.refinement.plan.has_value(), solution.checked > 0) << seed;
         } catch (const InvalidSolution& fault) {
             ADD_FAILURE() << many.family << ' ' << many.size << " seed " << seed << ": " << fault.what();
@@ -57,6 +59,8 @@ TEST_P(ManyPlans, AreValid) {
     }
     std::filesystem::remove_all(folder);
     EXPECT_GE(solved * 20, plans * 19);
+    // What is refused is made again; that must stay rare.
+    EXPECT_LE(refused * 50, plans);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ManyPlans,

@@ -213,6 +213,34 @@ TEST_F(LyingStreams, ThatTakeByAnotherGrasp) {
         "is not held by");
 }
 
+TEST_F(LyingStreams, OnceAreForgiven) {
+    for (const bool join : {true, false}) {
+        options.join = join;
+        int calls = 0;
+        callbacks.bind = [&](StreamLibrary& library, const Scene&) {
+            const StreamLibrary::BoundStream pick = *library.find("plan-pick");
+            library.bind(
+                "plan-pick",
+                [&calls, pick](StreamCall& call) {
+                    StreamResult result = pick.callback(call);
+                    if (++calls > 1) return result;
+                    ActionMotion motion = result.outputs.at(0).get<ActionMotion>();
+                    for (MotionPiece& piece : motion.pieces)
+                        if (piece.attach) piece.attach->second.in_link.translation().x() += 0.01;
+                    return StreamResult::sample({Value::of(std::move(motion))});
+                },
+                pick.info);
+        };
+        const Solution solution = solve(problem, options, {}, callbacks);
+        ASSERT_TRUE(solution.refinement.plan);
+        // By home it is the same lie; the next plan asks again.
+        EXPECT_EQ(solution.refusals, join ? 2 : 1);
+        EXPECT_EQ(solution.document.statistics.at("refused plans"), solution.refusals);
+        EXPECT_EQ(solution.phases.size(), 5U);
+        EXPECT_GT(solution.checked, 100U);
+    }
+}
+
 TEST_F(Solve, ABudgetThatIsSpentEndsAtOnce) {
     const auto start = Clock::now();
     const Solution solution = solve(problem, options, Budget().limit_wall_time(0));
