@@ -6,7 +6,8 @@
 //
 // FOLDER holds panda_spheres.urdf and folders of scene*.yaml and request*.yaml. SEEDS (10): runs of every
 // problem; EVERY (1): only each EVERY-th problem. MODE: only this one, without checks by the exact checker:
-// plan, shortcuts, certified or both (default: all). The second form is for a look whether all this works: it
+// plan, shortcuts, certified or both (default: all these); or ompl: OMPL's RRT-Connect on the exact checker,
+// for comparison. The second form is for a look whether all this works: it
 // needs no folder and plans a few motions of an arm at a shelf.
 #include <algorithm>
 #include <cstdio>
@@ -24,6 +25,7 @@
 #include "search/engines/random.hpp"
 #include "tamp/collision/fast_checker.hpp"
 #include "tamp/collision/fcl_checker.hpp"
+#include "tamp/motion/ompl_planner.hpp"
 #include "tamp/motion/planner.hpp"
 #include "tamp/robots/urdf.hpp"
 #include "tamp/scenes/moveit.hpp"
@@ -143,6 +145,19 @@ struct Mode {
     bool check;
 };
 
+void measure_ompl(Problem& problem, Tally& tally) {
+    OmplOptions options;
+    options.range = 1;
+    options.budget.limit_wall_time(30);
+    const double begin = processor_microseconds();
+    const OmplResult result = plan_with_ompl(*problem.exact, problem.start, problem.goals, options);
+    const double time = processor_microseconds() - begin;
+    ++tally.runs;
+    if (result.status != OmplStatus::solved) return;
+    tally.times.push_back(time);
+    tally.length += path_length(result.path);
+}
+
 void measure(Problem& problem, const Mode& mode, std::uint64_t seed, Tally& tally) {
     MotionOptions options;
     options.seed = seed;
@@ -167,6 +182,13 @@ bool run(std::vector<Problem>& problems, std::uint64_t seeds, const std::string&
               << "| mode                   | solved    | median  | mean    | p95 us  | length | refused at "
                  "1/128 |\n";
     bool good = true;
+    if (only == "ompl") {
+        Tally all;
+        for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+            for (Problem& problem : problems) measure_ompl(problem, all);
+        }
+        all.print("OMPL on FCL");
+    }
     for (Mode mode :
          {Mode{"plan", "plan", false, false, false}, Mode{"shortcuts", "plan + shortcuts", true, false, true},
           Mode{"certified", "certified", false, true, true},

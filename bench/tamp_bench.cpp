@@ -1,15 +1,20 @@
 // Task and motion planning over generated problems: families x sizes x seeds, one line a family and size.
 //
-//     tamp_bench [--seeds N] [--limit SECONDS] [--no-nogoods] [--twins] [--plan] [FAMILY[:SIZE,SIZE...]]...
+//     tamp_bench [--seeds N] [--limit SECONDS] [--no-nogoods] [--twins] [--plan] [--solve] [--first SEED]
+//                [FAMILY[:SIZE,SIZE...]]...
 //
 // Without names all families at their smallest and middle size. `--twins` takes the infeasible ones, `--plan`
-// shows plans and what was tried in vain.
+// shows plans and what was tried in vain. `--solve` goes on to motion in time and has the independent
+// validators check it: "refused" counts the plans that they refused, so that others were looked for; where
+// none is found that they accept, it is said on standard error, and the exit code is 1. `--first` is the
+// first seed (1).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include "bench/smoke.hpp"
@@ -28,14 +33,16 @@ struct Selection {
 struct Settings {
     std::vector<Selection> selections;
     int seeds = 10;
+    int first = 1;
     double limit = 10;
     RefineOptions options;
     bool feasible = true;
     bool show = false;
+    bool solve = false;
 };
 
 struct Tally {
-    int runs = 0, solved = 0, infeasible = 0;
+    int runs = 0, solved = 0, infeasible = 0, refused = 0, invalid = 0;
     std::vector<double> wall, processor, actions, motions;
     double search = 0, sample = 0;
 };
@@ -73,10 +80,28 @@ void count_motions(StreamLibrary& library, std::uint64_t& count) {
     }
 }
 
+/// All phases, with the validators at the end. Empty: these refuse whatever was found.
+std::optional<Refinement> solve_wholly(const SceneProblem& problem, const Settings& settings,
+                                       const Budget& budget, std::uint64_t& motions, Tally& tally) {
+    SolveOptions options;
+    options.refine = settings.options;
+    SolveCallbacks callbacks;
+    callbacks.bind = [&](StreamLibrary& library, const Scene&) { count_motions(library, motions); };
+    try {
+        Solution solution = solve(problem, options, budget, callbacks);
+        tally.refused += solution.refusals;
+        return std::move(solution.refinement);
+    } catch (const InvalidSolution& fault) {
+        std::cerr << fault.what() << '\n';
+        return std::nullopt;
+    }
+}
+
 void run(const Settings& settings, const std::string& family, int size, std::uint64_t seed, Tally& tally) {
     const GeneratedProblem problem = generate_problem(family, size, seed, settings.feasible);
     const std::string folder = (std::filesystem::temp_directory_path() / "praxis-tamp-bench").string();
     write_problem(problem, folder);
+    const SceneProblem loaded = scene_problem(problem, folder);
     BoundProblem bound(problem, folder);
     std::uint64_t motions = 0;
     count_motions(bound.streams.library, motions);
@@ -84,8 +109,16 @@ void run(const Settings& settings, const std::string& family, int size, std::uin
     budget.limit_wall_time(settings.limit);
     const auto begin = std::chrono::steady_clock::now();
     const double processor = processor_seconds();
-    const Refinement found = bound.refine(budget, settings.options);
+    const std::optional<Refinement> ended = settings.solve
+                                                ? solve_wholly(loaded, settings, budget, motions, tally)
+                                                : bound.refine(budget, settings.options);
     ++tally.runs;
+    if (!ended) {
+        ++tally.invalid;
+        std::cerr << "invalid: " << family << ' ' << size << " seed " << seed << '\n';
+        return;
+    }
+    const Refinement& found = *ended;
     tally.wall.push_back(1e3 *
                          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     tally.processor.push_back(1e3 * (processor_seconds() - processor));
@@ -127,6 +160,10 @@ Settings parse(int argc, char** argv) {
             settings.options.nogoods = false;
         } else if (word == "--twins") {
             settings.feasible = false;
+        } else if (word == "--first") {
+            settings.first = std::stoi(value());
+        } else if (word == "--solve") {
+            settings.solve = true;
         } else if (word == "--plan") {
             settings.show = true;
         } else if (word.starts_with("--")) {
@@ -148,6 +185,7 @@ Settings smoke_run() {
     Settings settings;
     settings.selections = {{"hanoi", {2}}};
     settings.seeds = 1;
+    settings.solve = true;
     return settings;
 }
 
@@ -156,25 +194,28 @@ Settings smoke_run() {
 int main(int argc, char** argv) try {
     const bool smoke = is_smoke_run(argc, argv);
     const Settings settings = smoke ? smoke_run() : parse(argc, argv);
-    std::printf("%-18s %4s %8s %10s %9s %9s %9s %8s %8s %8s %8s\n", "family", "size", "solved", "infeasible",
-                "wall ms", "p99 ms", "cpu ms", "actions", "motions", "search%", "sample%");
+    bool valid = true;
+    std::printf("%-18s %4s %8s %10s %7s %9s %9s %9s %8s %8s %8s %8s\n", "family", "size", "solved",
+                "infeasible", "refused", "wall ms", "p99 ms", "cpu ms", "actions", "motions", "search%",
+                "sample%");
     for (const Selection& selection : settings.selections) {
         for (const int size : selection.sizes) {
             Tally tally;
-            for (int seed = 1; seed <= settings.seeds; ++seed) {
+            for (int seed = settings.first; seed < settings.first + settings.seeds; ++seed) {
                 run(settings, selection.family, size, static_cast<std::uint64_t>(seed), tally);
             }
             const double whole = 1e-3 * std::accumulate(tally.wall.begin(), tally.wall.end(), 0.0);
-            std::printf("%-18s %4d %4d/%-3d %10d %9.1f %9.1f %9.1f %8.0f %8.0f %8.0f %8.0f\n",
+            std::printf("%-18s %4d %4d/%-3d %10d %7d %9.1f %9.1f %9.1f %8.0f %8.0f %8.0f %8.0f\n",
                         selection.family.c_str(), size, tally.solved, tally.runs, tally.infeasible,
-                        quantile(tally.wall, 0.5), quantile(tally.wall, 0.99), quantile(tally.processor, 0.5),
-                        quantile(tally.actions, 0.5), quantile(tally.motions, 0.5),
-                        100 * tally.search / whole, 100 * tally.sample / whole);
+                        tally.invalid, quantile(tally.wall, 0.5), quantile(tally.wall, 0.99),
+                        quantile(tally.processor, 0.5), quantile(tally.actions, 0.5),
+                        quantile(tally.motions, 0.5), 100 * tally.search / whole, 100 * tally.sample / whole);
             std::fflush(stdout);
             if (smoke && tally.solved < tally.runs) return 1;
+            valid = valid && tally.invalid == 0;
         }
     }
-    return 0;
+    return valid ? 0 : 1;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

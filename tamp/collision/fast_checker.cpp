@@ -178,19 +178,24 @@ class FastChecker final : public CollisionChecker {
 
     double wrapped(std::size_t variable, double q) const {
         constexpr double kTurn = 2 * std::numbers::pi;
-        return turning_[variable] && std::abs(q) > std::numbers::pi ? q - kTurn * std::round(q / kTurn) : q;
+        return std::abs(q) > std::numbers::pi && turning_[variable] ? q - kTurn * std::round(q / kTurn) : q;
     }
 
     Segment make_segment(std::span<const double> from, std::span<const double> to) const {
-        require(from);
-        require(to);
         Segment segment;
+        bool good = from.size() == turning_.size() && to.size() == turning_.size();
+        const std::size_t count = good ? from.size() : 0;
         double squares = 0;
-        for (std::size_t v = 0; v < from.size(); ++v) {
+        for (std::size_t v = 0; v < count; ++v) {
+            good = good && std::abs(from[v]) <= kFarthest && std::abs(to[v]) <= kFarthest;
             const double change = to[v] - from[v];
             segment.from[v] = static_cast<float>(wrapped(v, from[v]));
             segment.change[v] = static_cast<float>(change);
             squares += change * change;
+        }
+        if (!good) {
+            require(from);
+            require(to);
         }
         segment.length = std::sqrt(squares);
         return segment;

@@ -39,19 +39,14 @@ struct Standing {
     Participant who = {};
     Pose pose = Pose::Identity();
     const Shape* shape = nullptr;
-    AxisBox box = {};  ///< around a primitive, in the world
+    std::optional<kernel::Obstacle> primitive = {};
+    AxisBox box = {};  ///< around the primitive, in the world
 };
 
 struct PlacedLink {
     int frame = -1;
     Pose pose = Pose::Identity();  ///< in the frame
 };
-
-/// Not a mesh or a map.
-bool is_primitive(const Shape& shape) {
-    return !std::holds_alternative<std::shared_ptr<const Mesh>>(shape) &&
-           !std::holds_alternative<std::shared_ptr<const OccupancyMap>>(shape);
-}
 
 Eigen::Matrix3d turn_z_to(const Vector3& axis) {
     return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis).toRotationMatrix();
@@ -147,8 +142,8 @@ class KernelModelBuilder {
                 "the fast checker takes at most 256 moving links and attached bodies");
         }
         collect_standing();
+        drop_unreachable();
         merge_pieces();
-        for (Piece& piece : pieces_) measure(piece);
         model_.margin_ = std::ldexp(1.0, -20) * (static_cast<double>(model_.frames_.size()) + 2) * farthest();
         flatten_pieces();
         flatten_levers();
@@ -217,6 +212,7 @@ class KernelModelBuilder {
         for (const auto& cluster : clusters.clusters)
             piece.clusters.push_back({moved(cluster.bound), cluster.ball_count});
         piece.bound = moved(clusters.bound);
+        measure(piece);
         pieces_.push_back(std::move(piece));
     }
 
@@ -239,9 +235,12 @@ class KernelModelBuilder {
     }
 
     void add_standing(Participant who, const Pose& pose, const std::vector<PlacedShape>& shapes) {
-        for (const PlacedShape& placed : shapes)
-            standing_.push_back({who, pose * placed.pose, &placed.shape,
-                                 is_primitive(placed.shape) ? extent(placed, pose) : AxisBox{}});
+        for (const PlacedShape& placed : shapes) {
+            Standing& standing = standing_.emplace_back();
+            standing = {.who = who, .pose = pose * placed.pose, .shape = &placed.shape};
+            standing.primitive = flatten_at(placed.shape, standing.pose);
+            if (standing.primitive) standing.box = extent(placed, pose);
+        }
     }
 
     void collect_standing() {
@@ -263,6 +262,12 @@ class KernelModelBuilder {
         }
     }
 
+    void drop_unreachable() {
+        std::erase_if(standing_, [&](const Standing& standing) {
+            return std::ranges::none_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
+        });
+    }
+
     /// Pieces that move together and may touch the same become one.
     void merge_pieces() {
         std::vector<Piece> merged;
@@ -276,6 +281,8 @@ class KernelModelBuilder {
             alike->balls.insert(alike->balls.end(), piece.balls.begin(), piece.balls.end());
             alike->clusters.insert(alike->clusters.end(), piece.clusters.begin(), piece.clusters.end());
             alike->bound = bounding_ball(alike->bound, piece.bound);
+            alike->range.radius = std::max(alike->range.radius, piece.range.radius);
+            alike->largest = std::max(alike->largest, piece.largest);
         }
         pieces_ = std::move(merged);
     }
@@ -341,9 +348,7 @@ class KernelModelBuilder {
         }
         double center = farthest;
         for (const Standing& standing : standing_) {
-            const bool near =
-                std::ranges::any_of(pieces_, [&](const Piece& p) { return reachable(p, standing); });
-            if (near) center = std::max(center, standing.pose.translation().norm() + offset(standing));
+            center = std::max(center, standing.pose.translation().norm() + offset(standing));
         }
         return farthest + center;
     }
@@ -417,8 +422,8 @@ class KernelModelBuilder {
         std::size_t count = 0;
         for (const Standing& standing : standing_) {
             if (may_touch(piece, standing.who) || !reachable(piece, standing)) continue;
-            if (const auto obstacle = flatten_at(*standing.shape, standing.pose)) {
-                add_obstacle(*obstacle, standing, count++ % kernel::kLanes);
+            if (standing.primitive) {
+                add_obstacle(standing, count++ % kernel::kLanes);
             } else {
                 grids.push_back(grid_of(standing));
             }
@@ -429,7 +434,7 @@ class KernelModelBuilder {
         model_.grids_.insert(model_.grids_.end(), grids.begin(), grids.end());
     }
 
-    void add_obstacle(const kernel::Obstacle& obstacle, const Standing& standing, std::size_t lane) {
+    void add_obstacle(const Standing& standing, std::size_t lane) {
         constexpr float kNowhere = 1e30F;
         if (lane == 0) {
             model_.obstacles_.resize(model_.obstacles_.size() + kernel::kLanes);
@@ -439,7 +444,7 @@ class KernelModelBuilder {
                 std::ranges::fill(boxes.upper[i], -kNowhere);
             }
         }
-        model_.obstacles_[model_.obstacles_.size() - kernel::kLanes + lane] = obstacle;
+        model_.obstacles_[model_.obstacles_.size() - kernel::kLanes + lane] = *standing.primitive;
         for (int i = 0; i < 3; ++i) {
             model_.boxes_.back().lower[i][lane] = static_cast<float>(standing.box.lower[i] - model_.margin_);
             model_.boxes_.back().upper[i][lane] = static_cast<float>(standing.box.upper[i] + model_.margin_);

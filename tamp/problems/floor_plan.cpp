@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "tamp/problems/shelf.hpp"
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

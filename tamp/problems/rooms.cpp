@@ -6,7 +6,7 @@
 
 #include "tamp/problems/floor_plan.hpp"
 #include "tamp/problems/scatter.hpp"
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

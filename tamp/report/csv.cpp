@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "tamp/report/number_text.hpp"
 #include "tamp/report/replay.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <set>
 
-#include "tamp/report/number_text.hpp"
 #include "tamp/report/replay.hpp"
+#include "tamp/text/number_text.hpp"
 
 namespace praxis::tamp {
 

@@ -3,7 +3,7 @@
 #include "parser/files.hpp"
 #include "tamp/report/document_json.hpp"
 #include "tamp/report/document_names.hpp"
-#include "tamp/report/json_place.hpp"
+#include "tamp/text/json_place.hpp"
 
 namespace praxis::tamp {
 

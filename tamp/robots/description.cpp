@@ -8,7 +8,7 @@
 #include "tamp/robots/derive.hpp"
 #include "tamp/robots/dh.hpp"
 #include "tamp/robots/finish_robot.hpp"
-#include "tamp/scenes/yaml_document.hpp"
+#include "tamp/text/yaml_document.hpp"
 
 namespace praxis::tamp {
 

@@ -2,7 +2,7 @@
 
 #include "parser/files.hpp"
 #include "parser/suggest.hpp"
-#include "tamp/scenes/yaml_document.hpp"
+#include "tamp/text/yaml_document.hpp"
 
 namespace praxis::tamp {
 

@@ -7,7 +7,7 @@
 #include "parser/suggest.hpp"
 #include "tamp/scenes/allow_collision.hpp"
 #include "tamp/scenes/body.hpp"
-#include "tamp/scenes/yaml_document.hpp"
+#include "tamp/text/yaml_document.hpp"
 
 namespace praxis::tamp {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tamp/geometry/shape.hpp"
-#include "tamp/scenes/yaml_document.hpp"
+#include "tamp/text/yaml_document.hpp"
 
 namespace praxis::tamp {
 

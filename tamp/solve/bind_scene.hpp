@@ -22,9 +22,9 @@ struct BoundScene {
     std::map<std::string, Value, std::less<>> values;
 };
 
-/// Throws InputError where the scene does not suit the task: an object that `(at ...)` or the regions of the
-/// task speak of is not in it; the hand is not empty or its fingers are not open at the start; the start is
-/// in collision (`check_scene`).
+/// Throws InputError where the scene does not suit the task: a body that `(at ...)` speaks of is not in it,
+/// or stands at another pose than the one of that name; the hand is not empty or its fingers are not open at
+/// the start; the start is in collision (`check_scene`).
 BoundScene bind_scene(const StreamTask& task, const Scene& scene, const SceneOptions& options);
 
 }  // namespace praxis::tamp

@@ -39,6 +39,10 @@ class Options {
             if (reader == readers_.end()) refuse_name(name);
             reader->second(value);
         }
+        const ManipulatorOptions& skills = result_.manipulator;
+        if (skills.base_nearest > skills.base_furthest)
+            fail("base_nearest", "at most 'base_furthest' (" + std::to_string(skills.base_furthest) + ")",
+                 std::to_string(skills.base_nearest));
         return std::move(result_);
     }
 
@@ -64,7 +68,7 @@ class Options {
         char* end = nullptr;
         const double read = std::strtod(value.c_str(), &end);
         if (end == value.c_str() || *end != '\0' || !(read >= 0 && read <= most))
-            fail(name, "a number, 0 or more", value);
+            fail(name, "a number from 0 to " + std::to_string(static_cast<int>(most)), value);
         return read;
     }
 

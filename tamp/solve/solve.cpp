@@ -83,7 +83,9 @@ class Solver {
         if (callbacks_.on_phase) callbacks_.on_phase(name);
         const double start = thread_seconds();
         work();
-        solution_.phases.push_back({name, thread_seconds() - start});
+        const auto phase = std::ranges::find(solution_.phases, name, &SolvePhase::name);
+        SolvePhase& spent = phase != solution_.phases.end() ? *phase : solution_.phases.emplace_back(name);
+        spent.seconds += thread_seconds() - start;
     }
 
     void refine(std::uint64_t number) {
@@ -117,9 +119,11 @@ class Solver {
         const RefinementVerdict symbolic =
             validate_refinement(problem_.task, plan, problem_.scene, solution_.document);
         if (!symbolic.valid) return refuse("the plan is not valid: " + symbolic.reason);
-        const TrajectoryVerdict motion =
-            validate_trajectory(solution_.document, *problem_.scene.robot, *problem_.scene.world,
-                                problem_.scene.start, options_.check);
+        TrajectoryCheck check = options_.check;
+        for (auto& [name, area] : areas_of(problem_.scene))
+            if (area.body < 0) check.floors.push_back(std::move(area));
+        const TrajectoryVerdict motion = validate_trajectory(
+            solution_.document, *problem_.scene.robot, *problem_.scene.world, problem_.scene.start, check);
         solution_.checked = motion.checked;
         if (motion.valid) return true;
         std::string where;
@@ -177,10 +181,12 @@ SceneProblem load_scene_problem(const std::string& domain_file, const std::strin
                                 const std::string& stream_file, const std::string& scene_file) {
     std::string streams = stream_file;
     if (streams.empty()) {
-        const std::filesystem::path beside =
-            std::filesystem::path(domain_file).parent_path() / "streams.pddl";
+        const std::filesystem::path domain = domain_file;
+        const std::filesystem::path beside = domain.parent_path() / "streams.pddl";
         std::error_code error;
-        if (domain_file == "-" || !std::filesystem::exists(beside, error))
+        // Of a domain that is not there itself, the reader tells.
+        if (domain_file == "-" ||
+            (std::filesystem::exists(domain, error) && !std::filesystem::exists(beside, error)))
             fail_unplaced("there is no " + beside.string() +
                           " beside the domain: name the stream file with --streams FILE");
         streams = beside.string();

@@ -45,9 +45,9 @@ struct SolveOptions {
     TrajectoryCheck check = {};
 };
 
-/// What a phase of `solve` took, processor seconds of the calling thread.
+/// What a phase of `solve` took, processor seconds of the calling thread, all tries together.
 struct SolvePhase {
-    std::string name;  ///< "bind", "refine", "join", "schedule", "validate"
+    std::string name = {};  ///< "bind", "refine", "join", "schedule", "validate"
     double seconds = 0;
 };
 

@@ -47,6 +47,8 @@ class Completion {
     }
 
     void add_outputs(const StreamFact& fact) {
+        if (fact.stream.index() >= streams_.streams.size())
+            throw IncompletePlan("there is no stream number " + std::to_string(fact.stream.index()));
         const StreamSchema& schema = streams_.streams[fact.stream.index()];
         if (fact.inputs.size() != schema.input_count() || fact.outputs.size() != schema.output_count())
             throw IncompletePlan("stream '" + schema.name + "' has other inputs and outputs");

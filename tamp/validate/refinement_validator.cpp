@@ -35,6 +35,7 @@ class Agreement {
           tolerance_(tolerance) {}
 
     void check() {
+        check_named_poses();
         check_regions();
         if (document_.plan.size() != completed_.plan.steps.size())
             throw Violation{"the document has another number of actions than the plan"};
@@ -48,6 +49,14 @@ class Agreement {
     }
 
   private:
+    /// Where the document has what after an action.
+    struct Moment {
+        std::string when;
+        std::vector<Pose> links;
+        std::vector<Pose> bodies;
+        std::vector<std::string> held;
+    };
+
     const std::string& name(ObjectId object) const { return completed_.task.objects[object.index()].name; }
     const Value& value(ObjectId object) const { return completed_.values[object.index()]; }
     /// -1: the object is no body of the scene.
@@ -65,6 +74,16 @@ class Agreement {
             throw Violation{"action " + std::to_string(number + 1) + " of the document is not the plan's"};
     }
 
+    void check_named_poses() const {
+        for (std::size_t i = 0; i < completed_.values.size(); ++i) {
+            const auto named = scene_.poses.find(name(ObjectId(i)));
+            const Pose* pose = completed_.values[i].get_if<Pose>();
+            if (named == scene_.poses.end() || pose == nullptr) continue;
+            if (distance(named->second, *pose) > tolerance_)
+                throw Violation{"'" + named->first + "' is another pose in the scene"};
+        }
+    }
+
     void check_regions() const {
         for (const auto& [predicate, arguments] : completed_.certified) {
             if (arguments.size() != 3 || body(arguments[0]) < 0) continue;
@@ -79,34 +98,52 @@ class Agreement {
     }
 
     void compare(validation::Executor& executor, double time, const std::string& when) const {
-        const std::vector<Pose> poses = replay_.bodies_at(time);
-        const std::vector<std::string> held = replay_.held_at(time);
+        const Moment moment{.when = when,
+                            .links = replay_.links_at(time),
+                            .bodies = replay_.bodies_at(time),
+                            .held = replay_.held_at(time)};
         for (std::size_t p = 0; p < completed_.task.predicates.size(); ++p) {
             const Predicate& predicate = completed_.task.predicates[p];
             if (!predicate.fluent || predicate.parameters.size() < 2) continue;
             const validation::FactTable& table = executor.tables()[p];
             for (std::uint32_t row = 0; row < table.row_count(); ++row) {
                 if (!table.alive(row)) continue;
-                compare(ObjectId(table.row(row)[0]), ObjectId(table.row(row)[1]), poses, held, when);
+                compare(ObjectId(table.row(row)[0]), ObjectId(table.row(row)[1]), moment);
             }
         }
     }
 
-    void compare(ObjectId moved, ObjectId where, const std::vector<Pose>& poses,
-                 const std::vector<std::string>& held, const std::string& when) const {
+    void compare(ObjectId moved, ObjectId where, const Moment& moment) const {
         const int number = body(moved);
         if (number < 0) return;
+        const Pose* pose = value(where).get_if<Pose>();
+        const Grasp* grasp = value(where).get_if<Grasp>();
+        if (pose == nullptr && grasp == nullptr) return;
         const std::string& body_name = (*scene_.world)[number].model->name;
-        const bool is_held = std::ranges::find(held, body_name) != held.end();
-        if (const Pose* pose = value(where).get_if<Pose>()) {
-            if (is_held) throw Violation{"'" + name(moved) + "' is held " + when + ", but should stand"};
-            const int index = document_.find_body(body_name);
-            if (index < 0) throw Violation{"the document has no body '" + body_name + "'"};
-            if (distance(poses[static_cast<std::size_t>(index)], *pose) > tolerance_)
-                throw Violation{"'" + name(moved) + "' is not at '" + name(where) + "' " + when};
-        } else if (value(where).is<Grasp>() && !is_held) {
-            throw Violation{"'" + name(moved) + "' is not held " + when};
+        const int index = document_.find_body(body_name);
+        if (index < 0) throw Violation{"the document has no body '" + body_name + "'"};
+        const Pose& actual = moment.bodies[static_cast<std::size_t>(index)];
+        const bool is_held = std::ranges::find(moment.held, body_name) != moment.held.end();
+        if (pose != nullptr) {
+            if (is_held)
+                throw Violation{"'" + name(moved) + "' is held " + moment.when + ", but should stand"};
+            if (distance(actual, *pose) > tolerance_)
+                throw Violation{"'" + name(moved) + "' is not at '" + name(where) + "' " + moment.when};
+        } else {
+            if (!is_held) throw Violation{"'" + name(moved) + "' is not held " + moment.when};
+            if (!is_in_a_hand(actual, grasp->body_in_tool, moment))
+                throw Violation{"'" + name(moved) + "' is not held by '" + name(where) + "' " + moment.when};
         }
+    }
+
+    bool is_in_a_hand(const Pose& pose, const Pose& body_in_tool, const Moment& moment) const {
+        return std::ranges::any_of(scene_.robot->end_effectors, [&](const EndEffector& effector) {
+            const int link =
+                document_.find_link(scene_.robot->links[static_cast<std::size_t>(effector.link)].name);
+            return link >= 0 &&
+                   distance(moment.links[static_cast<std::size_t>(link)] * effector.tool * body_in_tool,
+                            pose) <= tolerance_;
+        });
     }
 
     const CompletedTask& completed_;

@@ -3,9 +3,10 @@
 // 1. On the task as it is written, with what the streams certify, the independent validator of plans executes
 //    every step (`search/validate.hpp`).
 // 2. At the end of every action the document agrees with the symbolic state: a body that an atom relates to a
-//    pose stands there, and one that an atom relates to a grasp is held. (Atoms count that actions change
-//    and whose first two arguments are these: `(at BODY POSE)`, `(holding BODY GRASP)`.)
-// 3. Where a stream certifies an atom of a body, a pose and a region, the body stands in that region there.
+//    pose stands there, and one that an atom relates to a grasp is held in that way. (Atoms count that
+//    actions change and whose first two arguments are these: `(at BODY POSE)`, `(holding BODY GRASP)`.)
+// 3. Where a stream certifies an atom of a body, a pose and a region, the body stands in that region there;
+//    and poses that the scene names are those.
 //
 // `trajectory_validator.hpp` checks the motion itself.
 #pragma once

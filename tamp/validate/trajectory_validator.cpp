@@ -7,6 +7,8 @@
 #include "tamp/collision/body_checker.hpp"
 #include "tamp/collision/fcl_checker.hpp"
 #include "tamp/report/describe.hpp"
+#include "tamp/report/replay.hpp"
+#include "tamp/sampling/placements.hpp"
 
 namespace praxis::tamp {
 
@@ -83,6 +85,45 @@ class Execution {
                 refuse("variable '" + robot_->variables[i].name + "' does not start where the robot is", 0);
             }
         }
+        check_robot();
+        check_bodies();
+    }
+
+    /// The document's links are where the robot's are.
+    void check_robot() const {
+        const std::vector<Pose> shown = link_poses(document_.robot, document_.start);
+        for (std::size_t i = 0; i < robot_->links.size(); ++i) {
+            const std::string& name = robot_->links[i].name;
+            const int link = document_.find_link(name);
+            if (link < 0) refuse("link '" + name + "' is not in the document", 0);
+            if (distance(shown[static_cast<std::size_t>(link)],
+                         link_pose(*robot_, positions_, static_cast<int>(i))) > check_.tolerance) {
+                refuse("link '" + name + "' of the document is not where the robot's is", 0);
+            }
+        }
+    }
+
+    /// The document's bodies stand, or are held, as those of the world.
+    void check_bodies() const {
+        if (document_.bodies.size() != world_->size())
+            refuse("the document has other bodies than the world", 0);
+        for (const BodyState& state : world_->bodies()) {
+            const std::string& name = state.model->name;
+            const int body = document_.find_body(name);
+            if (body < 0) refuse("body '" + name + "' is not in the document", 0);
+            const auto hold = std::ranges::find(document_.held, name, &Document::Hold::body);
+            const bool held = hold != document_.held.end();
+            if (held != state.attachment.has_value())
+                refuse("body '" + name + "' is held at the start in the document or the world, not in both",
+                       0);
+            const Document::PoseNumbers& shown =
+                held ? hold->pose : document_.bodies[static_cast<std::size_t>(body)].pose;
+            if ((held &&
+                 hold->link != robot_->links[static_cast<std::size_t>(state.attachment->link)].name) ||
+                distance(pose_from_numbers(shown), held ? state.attachment->in_link : state.pose) >
+                    check_.tolerance)
+                refuse("body '" + name + "' does not start where it is in the world", 0);
+        }
     }
 
     void execute(const Document::Segment& segment) {
@@ -90,8 +131,13 @@ class Execution {
             refuse("a segment starts before the last one has ended", time_);
         if (segment.start > time_ + check_.tolerance) require_rest();
         time_ = segment.start;
-        if (!segment.knots.empty()) follow(segment);
+        if (!segment.knots.empty()) {
+            follow(segment);
+        } else if (segment.end > segment.start) {
+            require_rest();
+        }
         time_ = segment.end;
+        if (segment.attach || segment.detach) require_rest();
         if (segment.attach) attach(*segment.attach);
         if (segment.detach) detach(*segment.detach);
     }
@@ -218,17 +264,10 @@ class Execution {
         refuse("'" + first + "' touches '" + second + "'", time);
     }
 
-    int find_body(const std::string& name) const {
-        const int body = world_->find(name);
-        if (body < 0) refuse("there is no body '" + name + "'", time_);
-        return body;
-    }
-
     void attach(const Document::Hold& hold) {
-        const int body = find_body(hold.body);
+        const int body = world_->find(hold.body);
         const BodyState& state = (*world_)[body];
         if (!state.model->movable) refuse("body '" + hold.body + "' cannot be moved", time_);
-        if (state.attachment) refuse("body '" + hold.body + "' is held already", time_);
         const int link = robot_->find_link(hold.link);
         if (link < 0) refuse("there is no link '" + hold.link + "'", time_);
         const Pose in_link = pose_from_numbers(hold.pose);
@@ -241,13 +280,32 @@ class Execution {
         for (const EndEffector& effector : robot_->end_effectors) {
             if (effector.link == link) attachment.touching = effector.links;
         }
+        if (!is_near_hand(state, attachment))
+            refuse("body '" + hold.body + "' is out of reach of the hand that takes it", time_);
         world_ = std::make_shared<World>(world_->with_attached(body, attachment));
     }
 
+    /// Balls around the hand's links and the body are at most `grip` apart; or there are none.
+    bool is_near_hand(const BodyState& body, const Attachment& attachment) const {
+        std::vector<int> hand = attachment.touching;
+        hand.push_back(attachment.link);
+        bool looked = false;
+        for (const int link : hand) {
+            const Pose in_body = body.pose.inverse() * link_pose(*robot_, positions_, link);
+            for (const Ball& of_hand : robot_->links[static_cast<std::size_t>(link)].balls) {
+                for (const Ball& of_body : body.model->balls) {
+                    looked = true;
+                    const double apart = (in_body * of_hand.center - of_body.center).norm();
+                    if (apart <= of_hand.radius + of_body.radius + check_.grip) return true;
+                }
+            }
+        }
+        return !looked;
+    }
+
     void detach(const Document::Stand& stand) {
-        const int body = find_body(stand.body);
+        const int body = world_->find(stand.body);
         const BodyState& state = (*world_)[body];
-        if (!state.attachment) refuse("body '" + stand.body + "' is not held", time_);
         const Pose pose = pose_from_numbers(stand.pose);
         const Pose held = link_pose(*robot_, positions_, state.attachment->link) * state.attachment->in_link;
         if (const double gap = distance(held, pose); gap > check_.tolerance) {
@@ -258,9 +316,11 @@ class Execution {
         if (!is_supported(body)) refuse("body '" + stand.body + "' is let go in the air", time_);
     }
 
-    /// Lowered by `drop`, the body touches another.
+    /// Lowered by `drop`, the body touches another; or it stands on a floor.
     bool is_supported(int body) const {
         Pose lowered = (*world_)[body].pose;
+        for (const Area& floor : check_.floors)
+            if (stands_in(*(*world_)[body].model, lowered, *world_, floor, check_.drop)) return true;
         lowered.translation().z() -= check_.drop;
         return !BodyChecker(world_).is_free(body, lowered);
     }

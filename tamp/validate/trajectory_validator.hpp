@@ -1,10 +1,11 @@
 // Checks a trajectory document against the robot and the world that it is for, from nothing but these: it
 // shares no code with the planner, the time parametrisation or the fast collision checker.
 //
-// Checked are: segments follow each other in time, and each begins where the last one ended, with its
-// velocity; positions, velocities and accelerations fit together and keep the limits; no collision, by FCL,
-// at configurations at most `step` apart; what is attached stood where the hand takes it, and what is let go
-// is where the document says and stands on something.
+// Checked are: the document's robot and bodies are those of the world; segments follow each other in time,
+// and each begins where the last one ended, with its velocity; positions, velocities and accelerations fit
+// together and keep the limits; no collision, by FCL, at configurations at most `step` apart; what is
+// attached stood where the hand takes it, what is let go is where the document says and stands on something,
+// and the robot is at rest when that happens.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "tamp/collision/checker.hpp"
 #include "tamp/report/trajectory_document.hpp"
+#include "tamp/sampling/area.hpp"
 
 namespace praxis::tamp {
 
@@ -20,6 +22,8 @@ struct TrajectoryCheck {
     double tolerance = 1e-5;        ///< of positions, velocities and poses
     double limit_tolerance = 1e-6;  ///< of limits, relative
     double drop = 0.01;             ///< metres that a body let go may fall before it meets something
+    double grip = 0.01;  ///< metres between a hand and a body that it takes, at most (of balls around them)
+    std::vector<Area> floors = {};  ///< in the world, not on bodies: what is let go may stand there, too
 };
 
 struct TrajectoryVerdict {

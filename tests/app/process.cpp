@@ -32,13 +32,12 @@ struct Pipe {
     }
 };
 
-void exec(const std::vector<std::string>& arguments) {
+void exec(const std::string& program, const std::vector<std::string>& arguments) {
     std::vector<char*> argv;
-    static std::string command = PRAXIS_PLAN_COMMAND;
-    argv.push_back(command.data());
+    argv.push_back(const_cast<char*>(program.c_str()));
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    ::execv(command.c_str(), argv.data());
+    ::execv(program.c_str(), argv.data());
     ::_exit(126);
 }
 
@@ -53,6 +52,11 @@ bool drain(int descriptor, std::string& text) {
 }  // namespace
 
 Outcome plan(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
+    return run(PRAXIS_PLAN_COMMAND, arguments, circumstances);
+}
+
+Outcome run(const std::string& program, const std::vector<std::string>& arguments,
+            const Circumstances& circumstances) {
     Pipe in;
     Pipe out;
     Pipe err;
@@ -64,7 +68,7 @@ Outcome plan(const std::vector<std::string>& arguments, const Circumstances& cir
         ::dup2(out.ends[1], 1);
         ::dup2(err.ends[1], 2);
         if (circumstances.prepare) circumstances.prepare();
-        exec(arguments);
+        exec(program, arguments);
     }
     in.close(0);
     out.close(1);

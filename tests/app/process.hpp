@@ -25,6 +25,9 @@ struct Circumstances {
 
 /// Runs build/bin/plan with the arguments; fails the test if it takes more than a minute.
 Outcome plan(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+/// The same with another program.
+Outcome run(const std::string& program, const std::vector<std::string>& arguments,
+            const Circumstances& circumstances = {});
 
 /// A folder that is removed at the end.
 class TemporaryFolder {

@@ -71,6 +71,26 @@ TEST(FastChecker, AnArmOfBallsOnAMovingBaseIsFreeOnlyWhereItIsExactly) {
     expect_agreement(problem_of(robot, world, robot->find_group("all")), 4);
 }
 
+/// Joints that are not at right angles, and at the end of the arm one that slides.
+std::shared_ptr<const Robot> crooked_arm() {
+    Robot robot = *ball_arm();
+    Random random(21);
+    for (Joint& joint : robot.joints) {
+        joint.origin = joint.origin *
+                       pose_from_rpy(Vector3::Zero(), {uniform(random, -1, 1), uniform(random, -1, 1), 0});
+    }
+    const auto last = std::ranges::find(robot.joints, 6, &Joint::variable);
+    last->type = JointType::prismatic;
+    robot.variables[6].lower = -0.3;
+    robot.variables[6].upper = 0.3;
+    return std::make_shared<const Robot>(std::move(robot));
+}
+
+TEST(FastChecker, ACrookedArmIsFreeOnlyWhereItIsExactly) {
+    Random random(23);
+    expect_agreement(problem_of(crooked_arm(), random_world(random, 12), 0), 24);
+}
+
 TEST(FastChecker, WhatCoversCannotTellTheExactCheckerDoes) {
     const auto robot = std::make_shared<const Robot>(builtin_robot("arm7"));
     Random random(5);
@@ -246,6 +266,11 @@ TEST(FastChecker, CertifiedMotionsOfABaseAreFreeAtEveryStep) {
     Random random(13);
     const World world = random_world(random, 10);
     expect_proofs_to_hold(problem_of(robot, world, robot->find_group("all")), 14, states() / 40);
+}
+
+TEST(FastChecker, CertifiedMotionsOfACrookedArmAreFreeAtEveryStep) {
+    Random random(25);
+    expect_proofs_to_hold(problem_of(crooked_arm(), random_world(random, 10), 0), 26, states() / 40);
 }
 
 TEST(FastChecker, MotionsAreFreeIfTheirConfigurationsAre) {

@@ -144,6 +144,17 @@ RC_GTEST_PROP(Cover, BoundingBallsAreNearlyTheSmallest, (std::uint32_t seed)) {
     RC_ASSERT(bound.radius <= large.radius * 1.05);
 }
 
+TEST(Cover, ABallAroundTwoIsTheSmallest) {
+    const Ball left = {{-1, 0, 0}, 0.5};
+    const Ball right = {{2, 0, 0}, 1};
+    const Ball both = bounding_ball(left, right);
+    EXPECT_NEAR(both.radius, 2.25, 1e-7);
+    EXPECT_NEAR((both.center - Vector3(0.75, 0, 0)).norm(), 0, 1e-7);
+    const Ball inner = {{2, 0.2, 0}, 0.5};
+    EXPECT_EQ(bounding_ball(inner, right).radius, 1);
+    EXPECT_EQ(bounding_ball(right, inner).radius, 1);
+}
+
 TEST(Cover, ASphereIsItself) {
     const std::vector<Ball> balls = cover(Shape(Sphere{0.25}));
     ASSERT_EQ(balls.size(), 1U);

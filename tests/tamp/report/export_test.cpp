@@ -7,7 +7,7 @@
 
 #include "tamp/report/csv.hpp"
 #include "tamp/report/joint_trajectory.hpp"
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 #include "tests/tamp/samples/sample_document.hpp"
 
 namespace praxis::tamp {

@@ -1,4 +1,4 @@
-#include "tamp/scenes/yaml_document.hpp"
+#include "tamp/text/yaml_document.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "tamp/report/json_place.hpp"
+#include "tamp/text/json_place.hpp"
 
 #include <algorithm>
 

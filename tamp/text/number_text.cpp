@@ -1,4 +1,4 @@
-#include "tamp/report/number_text.hpp"
+#include "tamp/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>
