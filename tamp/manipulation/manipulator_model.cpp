@@ -63,7 +63,8 @@ ManipulatorModel::ManipulatorModel(std::shared_ptr<const Robot> robot_, Configur
       home(std::move(home_)),
       carrier_(find_carrier(*robot, group(arm))),
       carrier_at_rest_(link_pose(*robot, robot->zero(), carrier_)),
-      ik_(robot, arm, effector.link, effector.tool) {
+      ik_(robot, arm, effector.link, effector.tool),
+      wrist_(find_wrist()) {
     if (home.size() != robot->dimension()) {
         throw std::invalid_argument("the home configuration does not fit robot '" + robot->name + "'");
     }
@@ -127,13 +128,46 @@ Pose ManipulatorModel::to_solver(const Configuration& configuration) const {
     return carrier_at_rest_ * link_pose(*robot, configuration, carrier_).inverse();
 }
 
+/// Behind the last joint of the arm nothing bends; so the target says where that joint is, and the arm before
+/// it must be long enough. Most targets out of reach are seen so, without a search.
+std::optional<ManipulatorModel::Wrist> ManipulatorModel::find_wrist() const {
+    const std::vector<int>& variables = group(arm).variables;
+    if (variables.size() < 3) return std::nullopt;
+    int link = effector.link;
+    while (robot->links[static_cast<std::size_t>(link)].parent_joint >= 0) {
+        const Joint& joint = robot->joints[static_cast<std::size_t>(
+            robot->links[static_cast<std::size_t>(link)].parent_joint)];
+        if (joint.variable >= 0) {
+            const bool turns = joint.type == JointType::revolute || joint.type == JointType::continuous;
+            if (!turns || joint.variable != variables.back()) return std::nullopt;
+            const Configuration rest = robot->zero();
+            Wrist wrist;
+            wrist.in_tool = tool(rest).inverse() * link_pose(*robot, rest, link);
+            wrist.reach = KinematicChain(*robot, arm, joint.parent, joint.origin, rest).reach();
+            return wrist;
+        }
+        link = joint.parent;
+    }
+    return std::nullopt;
+}
+
+bool ManipulatorModel::is_out_of_reach(const Pose& target) const {
+    if (!wrist_) return false;
+    constexpr double kTolerance = 1e-4;
+    const Vector3 wrist = (target * wrist_->in_tool).translation();
+    const Vector3 center(wrist_->reach.center[0], wrist_->reach.center[1], wrist_->reach.center[2]);
+    return (wrist - center).norm() > wrist_->reach.radius + kTolerance;
+}
+
 std::optional<Configuration> ManipulatorModel::reach(const Configuration& configuration, const Pose& target,
                                                      std::uint64_t number) const {
     IkOptions asked;
     asked.position_tolerance = asked.rotation_tolerance = kHandTolerance;
+    const Pose to = to_solver(configuration) * target;
+    if (is_out_of_reach(to)) return std::nullopt;
     if (number == 0) asked.start = robot->extract(group(arm), configuration);
     asked.seed = options.seed + number;
-    IkResult found = ik_.solve(to_solver(configuration) * target, asked);
+    IkResult found = ik_.solve(to, asked);
     if (!found) return std::nullopt;
     return std::move(found.positions);
 }

@@ -51,9 +51,18 @@ struct ManipulatorModel {
     /// Maps the world to what it is for the solver, whose base is at rest.
     Pose to_solver(const Configuration& configuration) const;
 
+    /// The last joint of the arm: where the target puts it, and how far it can be.
+    struct Wrist {
+        Pose in_tool = Pose::Identity();
+        KinematicChain::Reach reach = {};
+    };
+    std::optional<Wrist> find_wrist() const;
+    bool is_out_of_reach(const Pose& target) const;
+
     int carrier_;  ///< link that the arm is mounted on
     Pose carrier_at_rest_;
     InverseKinematics ik_;
+    std::optional<Wrist> wrist_;
     std::shared_ptr<SolidCache> cache_ = make_solid_cache();
 };
 

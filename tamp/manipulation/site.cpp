@@ -100,6 +100,8 @@ void Site::check_hand() {
         failure_ = space_.explain({.probe = Probe::open_hand}, hand_back_, "the hand");
     } else if (!space_.fits(held_)) {
         failure_ = {.reason = Reason::collision, .message = "the body does not fit between the fingers"};
+    } else if (!space_.can_carry(held_)) {
+        failure_ = {.reason = Reason::collision, .message = "held so, the body is in collision at home"};
     } else if (!can_lift(0) && !can_lift(1) && !can_lift(2)) {
         failure_ = space_.explain({.probe = Probe::holding_hand, .held = held_}, hand_lifts_.front(),
                                   "the hand as it lifts");

@@ -94,7 +94,7 @@ std::vector<int> SkillRun::arm_stoppers(std::size_t part, const Stance& stance, 
 const SkillRun::Stopped& SkillRun::lift_stoppers(std::size_t lift) {
     std::optional<Stopped>& known = lift_stoppers_[lift];
     if (!known) {
-        known.emplace();
+        known = Stopped();
         known->bodies = hand_stoppers(1 + lift, known->why);
     }
     return *known;

@@ -195,6 +195,14 @@ bool SkillSpace::fits(Id held) {
     return *held_[held].fits;
 }
 
+bool SkillSpace::can_carry(Id held) {
+    if (!held_[held].can_carry) {
+        const Configuration arm = model_.robot->extract(model_.group(model_.arm), model_.home);
+        held_[held].can_carry = checker({Probe::holding_arm, 0, held, 0})->is_free(arm);
+    }
+    return *held_[held].can_carry;
+}
+
 std::unique_ptr<CollisionChecker> SkillSpace::checker_among(std::span<const Id> standing, std::optional<Id> held,
                                                             Id base) const {
     World world = world_;

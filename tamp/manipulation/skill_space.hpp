@@ -66,6 +66,8 @@ class SkillSpace {
     bool touch(int first, const Pose& first_pose, int second, const Pose& second_pose) const;
     /// Whether the open hand gets to the body by this grasp, and back, without touching it.
     bool fits(Id held);
+    /// Whether the robot can hold the body by this grasp at home, among fixed bodies.
+    bool can_carry(Id held);
     /// The robot, with the open hand or holding a body, among some that stand and no others.
     std::unique_ptr<CollisionChecker> checker_among(std::span<const Id> standing, std::optional<Id> held,
                                                     Id base) const;
@@ -84,6 +86,7 @@ class SkillSpace {
         int body = 0;
         Grasp grasp = {};
         std::optional<bool> fits = {};
+        std::optional<bool> can_carry = {};
     };
     std::shared_ptr<CollisionChecker> make(const ProbeOf& probe) const;
     /// Numbers, in the given world, of the bodies of a probe's world.

@@ -1,6 +1,7 @@
 #include "tamp/refine/refiner.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "search/thread_time.hpp"
@@ -16,6 +17,8 @@ constexpr std::size_t kMostReasons = 20;
 constexpr std::uint32_t kMostCopies = 4;
 constexpr std::uint32_t kFirstAttempts = 32;
 constexpr std::uint32_t kLargestShift = 20;
+/// Calls for one step by itself.
+constexpr std::uint32_t kCallsAlone = 4096;
 /// Streams up to this effort, in microseconds, are called for all their inputs to make a task exact.
 constexpr double kCheap = 500;
 
@@ -86,6 +89,7 @@ std::optional<SymbolicTask> Refiner::make_task(const Instantiation& options) {
     waiting_.clear();
     examined_ = 0;
     forbidden_.clear();
+    seen_alone_.clear();
     round_ = 0;
     OptimisticTask optimistic = instantiate(*problem_.task, samples_, options, budget_);
     if (budget_.exhausted() != Stop::none) return std::nullopt;
@@ -186,10 +190,32 @@ bool Refiner::attempt(const SymbolicTask& task, const Skeleton& skeleton, std::u
         return true;
     }
     lessons.clear();
+    std::vector<Lesson> by_itself;
+    if (limits.blame && outcomes.front().definite) look_alone(task, skeleton, outcomes.front(), by_itself);
     for (SampleOutcome& outcome : outcomes)
         for (Lesson& lesson : learn(*problem_.task, task, skeleton, std::move(outcome)))
             lessons.push_back(std::move(lesson));
+    std::ranges::move(by_itself, std::back_inserter(lessons));
     return false;
+}
+
+void Refiner::look_alone(const SymbolicTask& task, const Skeleton& skeleton, const SampleOutcome& outcome,
+                         std::vector<Lesson>& lessons) {
+    std::set<std::uint32_t> steps;
+    for (const std::uint32_t n : outcome.nodes)
+        for (const Need& need : skeleton.nodes[n].needs)
+            if (need.step < skeleton.plan.operators.size()) steps.insert(need.step);
+    if (steps.size() < 2) return;
+    const SampleLimits limits{kCallsAlone, kCallsAlone, problem_.options.backjumping, true};
+    for (const std::uint32_t step : steps) {
+        if (!seen_alone_.insert(skeleton.plan.operators[step]).second) continue;
+        const Skeleton one = alone(skeleton, step);
+        for (SampleOutcome& found : sample(task, one, samples_, limits, budget_)) {
+            if (found.solved || !found.definite) continue;
+            for (Lesson& lesson : learn(*problem_.task, task, one, std::move(found)))
+                lessons.push_back(std::move(lesson));
+        }
+    }
 }
 
 bool Refiner::is_hopeless(const SymbolicTask& task) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ class Refiner {
     bool try_again(const SymbolicTask& task);
     bool attempt(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t tries,
                  std::vector<Lesson>& lessons);
+    /// Where several steps failed together: whether one of them fails by itself, which teaches more.
+    void look_alone(const SymbolicTask& task, const Skeleton& skeleton, const SampleOutcome& outcome,
+                    std::vector<Lesson>& lessons);
     /// Actions that failed for good, whatever holds, keep the goal out of reach, however many values are
     /// sampled.
     bool is_hopeless(const SymbolicTask& task);
@@ -54,6 +58,7 @@ class Refiner {
     std::vector<Nogood> definite_;
     std::vector<Nogood> soft_;
     std::vector<Waiting> waiting_;
+    std::set<OperatorId> seen_alone_;
     std::size_t examined_ = 0;  ///< of the definite nogoods, by `is_hopeless`
     std::vector<bool> forbidden_;  ///< operators that are never possible
     std::uint32_t round_ = 0;

@@ -165,6 +165,36 @@ std::string atom_text(const LiftedTask& task, const GroundAtom& atom) {
     return text + ")";
 }
 
+Skeleton alone(const Skeleton& skeleton, std::uint32_t step) {
+    const auto is_of_step = [&](const Need& need) { return need.step == step; };
+    std::vector<bool> wanted(skeleton.nodes.size(), false);
+    const auto want = [&](std::uint32_t slot) {
+        if (skeleton.slots[slot].node != kNone) wanted[skeleton.slots[slot].node] = true;
+    };
+    for (std::uint32_t n = static_cast<std::uint32_t>(wanted.size()); n-- > 0;) {
+        const SkeletonNode& node = skeleton.nodes[n];
+        if (!wanted[n] && std::ranges::none_of(node.needs, is_of_step)) continue;
+        wanted[n] = true;
+        for (const std::uint32_t slot : node.inputs) want(slot);
+        for (const SkeletonFluent& fluent : node.fluents)
+            for (const std::uint32_t slot : fluent.slots) want(slot);
+        for (const std::uint32_t before : node.after) wanted[before] = true;
+    }
+    Skeleton one{skeleton.plan, skeleton.arguments, skeleton.slots, {}};
+    std::vector<std::uint32_t> number(wanted.size(), kNone);
+    for (std::uint32_t n = 0; n < wanted.size(); ++n) {
+        if (!wanted[n]) continue;
+        number[n] = static_cast<std::uint32_t>(one.nodes.size());
+        SkeletonNode& node = one.nodes.emplace_back(skeleton.nodes[n]);
+        for (std::uint32_t& before : node.after) before = number[before];
+        if (std::ranges::any_of(node.needs, is_of_step))
+            std::erase_if(node.needs, [&](const Need& need) { return !is_of_step(need); });
+    }
+    for (Slot& slot : one.slots)
+        if (slot.node != kNone) slot.node = number[slot.node];
+    return one;
+}
+
 std::string step_text(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t step) {
     if (step >= skeleton.plan.steps.size()) return "the goal";
     const PlanStep& action = skeleton.plan.steps[step];

@@ -52,6 +52,9 @@ struct Skeleton {
 /// Throws UnsupportedError if an output of a stream with fluents gets into states.
 Skeleton make_skeleton(const StreamTask& streams, const SymbolicTask& task, SymbolicPlan plan);
 
+/// Only the nodes that one step needs, with those that they depend on; all else is the same.
+Skeleton alone(const Skeleton& skeleton, std::uint32_t step);
+
 /// "(pick a #g-12)", with the names of the symbolic task; "the goal" behind the last step.
 std::string step_text(const SymbolicTask& task, const Skeleton& skeleton, std::uint32_t step);
 /// "(at-pose a p0)".
