@@ -91,6 +91,12 @@ class GantryPlan {
         document_.segments.back().detach = describe_stand(world_, world_.find(cup), pose);
         leave(Motion::transit);
     }
+    /// The hand goes over a place, and back.
+    void look(const Pose& pose, std::vector<std::string> arguments) {
+        begin("look", std::move(arguments));
+        move(0, Motion::transit, {arm(), {pose.translation().x(), pose.translation().y(), kGantryHeight}});
+        leave(Motion::transit);
+    }
     /// Nothing moves.
     void begin(const std::string& name, std::vector<std::string> arguments) {
         document_.plan.push_back({name, std::move(arguments), time_, time_});
