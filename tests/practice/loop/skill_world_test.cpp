@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "practice/loop/practised_skills.hpp"
 #include "tests/practice/support/runs.hpp"
 
 namespace praxis::practice {
@@ -135,6 +136,20 @@ TEST(SkillWorld, PracticeFindsParametersThatWork) {
     EXPECT_EQ(robot.calls, loop.learner().transitions());
     EXPECT_LT(first, 0.4);  // the hit of a guess: 16 of 90 degrees
     EXPECT_GT(last, 0.5);
+
+    // Whoever calls it by name alone now gets what was learned.
+    PractisedSkills practised(loop.learner(), robot, [&] { return robot.see(); });
+    robot.pours = robot.filled = 0;
+    for (int i = 0; i < 50; ++i) {
+        for (double& depth : robot.depth) depth = uniform(random, 0.1, 0.3);
+        EXPECT_EQ(practised.execute({{"take", "goblet"}}, {}, {}).status, Execution::Status::done);
+        EXPECT_EQ(practised.execute({{"pour", "tumbler"}}, {}, {}).status, Execution::Status::illegal);
+        EXPECT_EQ(practised.execute({{"pour", "goblet"}}, {}, {}).status, Execution::Status::done);
+    }
+    EXPECT_GT(robot.filled, 35);
+    const std::vector<double> upside_down = {180};
+    practised.execute({{"pour", "goblet"}}, upside_down, {});
+    EXPECT_FALSE(robot.full[1]);
 }
 
 }  // namespace

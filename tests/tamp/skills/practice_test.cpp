@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "practice/loop/practice_loop.hpp"
+#include "practice/loop/practised_skills.hpp"
 #include "practice/loop/skill_world.hpp"
 #include "tamp/skills/refined_skills.hpp"
 #include "tamp/skills/simulated_driver.hpp"
@@ -103,18 +104,15 @@ TEST(PracticeWithRefinedSkills, LearnsWhereToLetGo) {
     }
     EXPECT_GT(placed, 200);
 
-    // Afterwards, greedily, with other errors of the camera.
-    const practice::Learner& learner = loop.learner();
-    const practice::SkillIndex place = learner.skills().find("(place)");
+    // Afterwards, by name alone, with other errors of the camera.
+    practice::PractisedSkills practised(loop.learner(), skills, see);
     int hits = 0;
     for (int trial = 0; trial < 40; ++trial) {
         driver.put("cup", at(0.4, 0.2));
         driver.put_robot(test::gantry_home());
         error = uniform(random, -0.04, 0.04);
-        ASSERT_EQ(skills.execute({{"pick"}}, {}, {}).status, Execution::Status::done);
-        const practice::Decision decision =
-            learner.decide(place, see(), practice::Learner::Mode::greedy, random);
-        ASSERT_EQ(skills.execute({{"place"}}, decision.parameters, {}).status, Execution::Status::done);
+        for (const char* name : {"pick", "place"})
+            ASSERT_EQ(practised.execute({{name}}, {}, {}).status, Execution::Status::done);
         hits += see()[distance] < kRight;
     }
     EXPECT_GT(hits, 28);  // a guess hits one in five
