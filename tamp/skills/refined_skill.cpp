@@ -89,12 +89,14 @@ std::vector<std::pair<std::string, Document::Value>> RefinedSkill::parameters() 
 
 bool RefinedSkill::is(const ActionName& words) const {
     if (words.words.empty() || words.words[0] != name()) return false;
-    const std::span<const std::string> given = std::span(words.words).subspan(1);
-    if (std::ranges::equal(given, arguments())) return true;
-    std::vector<std::string> discrete;
-    std::ranges::copy_if(arguments(), std::back_inserter(discrete),
-                         [&](const std::string& argument) { return !is_continuous_argument(argument); });
-    return std::ranges::equal(given, discrete);
+    std::size_t next = 1;
+    for (const std::string& argument : arguments()) {
+        if (next < words.words.size() && words.words[next] == argument)
+            ++next;
+        else if (!motion_->document().values.contains(argument))
+            return false;
+    }
+    return next == words.words.size();
 }
 
 std::optional<std::string> RefinedSkill::refusal(std::span<const double> positions, const BodyPoses& bodies,
@@ -102,9 +104,6 @@ std::optional<std::string> RefinedSkill::refusal(std::span<const double> positio
     const Document& document = motion_->document();
     const Replay& replay = motion_->replay();
     const double start = action().start;
-    if (positions.size() != document.robot.variables.size())
-        throw std::invalid_argument("positions of " + std::to_string(positions.size()) + " variables, of " +
-                                    std::to_string(document.robot.variables.size()));
     const Deviation deviation = this->deviation(0, positions, replay.held_at(start).empty());
     if (!(deviation.amount <= tolerance.robot))
         return "the robot is not where " + text_of(action()) +
@@ -134,6 +133,9 @@ RobotCommand RefinedSkill::command(double time) const {
 RefinedSkill::Deviation RefinedSkill::deviation(double time, std::span<const double> positions,
                                                 bool fingers) const {
     const Configuration planned = command(time).positions;
+    if (positions.size() != planned.size())
+        throw std::invalid_argument("positions of " + std::to_string(positions.size()) + " variables, of " +
+                                    std::to_string(planned.size()));
     Deviation worst;
     for (std::size_t v = 0; v < planned.size(); ++v) {
         if (finger_[v] && !fingers) continue;

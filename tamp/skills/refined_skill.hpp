@@ -68,7 +68,7 @@ class RefinedSkill {
     const std::vector<std::string>& arguments() const { return action().arguments; }
     /// The continuous arguments that numbers are known of: poses, grasps, ...
     std::vector<std::pair<std::string, TrajectoryDocument::Value>> parameters() const;
-    /// Whether the words name this skill, with or without its continuous arguments.
+    /// Whether the words name this skill; continuous arguments may be left out.
     bool is(const ActionName& words) const;
 
     /// Why the skill cannot start; nothing: it can. `positions` of the whole robot.
@@ -84,14 +84,12 @@ class RefinedSkill {
     RobotCommand command(double time) const;
     /// In order of time.
     const std::vector<Event>& events() const { return events_; }
-    /// Of measured positions at a time. Fingers count only where `fingers` is set: what they hold stops them.
+    /// Of measured positions at a time; throws std::invalid_argument if there are not as many as variables.
+    /// Fingers count only where `fingers` is set: what they hold stops them.
     Deviation deviation(double time, std::span<const double> positions, bool fingers = false) const;
 
   private:
     const TrajectoryDocument::Action& action() const { return motion_->document().plan[step_]; }
-    bool is_continuous_argument(const std::string& argument) const {
-        return motion_->document().values.contains(argument);
-    }
     void check() const;
 
     std::shared_ptr<const RefinedMotion> motion_;

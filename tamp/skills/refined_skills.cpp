@@ -97,12 +97,8 @@ class SkillRun {
 
 SkillRefiner planned(TrajectoryDocument document) {
     return [skills = refined_skills(std::move(document))](
-               const ActionName& action, std::span<const double> parameters, const Situation&) {
-        std::vector<RefinedSkill> result;
-        if (!parameters.empty()) return result;
-        for (const RefinedSkill& skill : skills)
-            if (skill.is(action)) result.push_back(skill);
-        return result;
+               const ActionName&, std::span<const double> parameters, const Situation&) {
+        return parameters.empty() ? skills : std::vector<RefinedSkill>();
     };
 }
 
@@ -120,6 +116,7 @@ Execution RefinedSkills::execute(const ActionName& action, std::span<const doubl
     std::string why = "no motion is known for " + text_of(action);
     bool first = true;
     for (const RefinedSkill& skill : refiner_(action, parameters, now)) {
+        if (!skill.is(action)) continue;
         const std::optional<std::string> refusal = skill.refusal(now.positions, now.bodies, options_.start);
         if (!refusal) return SkillRun(skill, accelerations_, *driver_, options_, stop).run();
         if (std::exchange(first, false)) why = *refusal;

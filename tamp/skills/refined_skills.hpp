@@ -31,8 +31,8 @@ struct Situation {
     BodyPoses bodies;
 };
 
-/// The motions that the name and the parameters may mean, the best one first; the first that can start here
-/// is executed.
+/// The motions that a call may mean, the best one first. The first that the action names (`RefinedSkill::is`)
+/// and that can start here is executed.
 using SkillRefiner = std::function<std::vector<RefinedSkill>(
     const ActionName& action, std::span<const double> parameters, const Situation& situation)>;
 
@@ -54,6 +54,8 @@ class RefinedSkills : public Skills {
     RefinedSkills(SkillRefiner refiner, const Robot& robot, RobotDriver& driver,
                   const SkillExecution& options = {});
 
+    /// What the refiner throws is passed on; so is std::invalid_argument where robot, driver and motion have
+    /// not the same variables.
     Execution execute(const ActionName& action, std::span<const double> parameters,
                       std::stop_token stop) override;
 

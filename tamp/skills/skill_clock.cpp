@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace praxis::tamp {
 
@@ -11,6 +14,14 @@ constexpr int kHalvings = 20;
 constexpr double kSlack = 1e-6;  // relative, of limits
 
 }  // namespace
+
+SkillClock::SkillClock(const RefinedSkill& skill, std::vector<double> accelerations, double period)
+    : skill_(&skill), accelerations_(std::move(accelerations)), period_(period) {
+    const std::size_t variables = skill.command(0).positions.size();
+    if (accelerations_.size() != variables)
+        throw std::invalid_argument("limits of " + std::to_string(accelerations_.size()) +
+                                    " variables for a motion of " + std::to_string(variables));
+}
 
 RobotCommand SkillClock::at(double time, double rate) const {
     RobotCommand command = skill_->command(time);

@@ -6,7 +6,6 @@
 // That never fails, for keeping the rate keeps them.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "tamp/skills/refined_skill.hpp"
@@ -21,9 +20,9 @@ class SkillClock {
         double seconds = 0;
     };
 
-    /// At the start, at rest. Refers to the skill. `accelerations`: the limits, one a variable.
-    SkillClock(const RefinedSkill& skill, std::vector<double> accelerations, double period)
-        : skill_(&skill), accelerations_(std::move(accelerations)), period_(period) {}
+    /// At the start, at rest. Refers to the skill. `accelerations`: the limits, one a variable; throws
+    /// std::invalid_argument if they are not as many.
+    SkillClock(const RefinedSkill& skill, std::vector<double> accelerations, double period);
 
     double time() const { return time_; }
     bool at_rest() const { return rate_ == 0; }

@@ -39,8 +39,9 @@ TEST(RefinedSkill, IsNamedWithOrWithoutItsContinuousArguments) {
     const RefinedSkill place = carrying().skills()[1];
     EXPECT_TRUE(place.is({{"place", "cup", "#p1"}}));
     EXPECT_TRUE(place.is({{"place", "cup"}}));
-    for (const ActionName& other : {ActionName{{"place"}}, ActionName{{"place", "cup", "#p2"}},
-                                    ActionName{{"pick", "cup"}}, ActionName{{}}})
+    for (const ActionName& other :
+         {ActionName{{"place"}}, ActionName{{"place", "cup", "#p2"}}, ActionName{{"place", "#p1"}},
+          ActionName{{"place", "cup", "#p1", "#p1"}}, ActionName{{"pick", "cup"}}, ActionName{{}}})
         EXPECT_FALSE(place.is(other));
 }
 

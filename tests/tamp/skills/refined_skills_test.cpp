@@ -198,6 +198,16 @@ TEST(RefinedSkills, AFaultOfTheDriverEndsTheSkill) {
     EXPECT_EQ(gantry.driver.commands.size(), 50u);
 }
 
+TEST(RefinedSkills, AnotherRobotIsNoticed) {
+    RecordingDriver driver(carrying());
+    RefinedSkills skills(planned(carrying()), sample_robot(), driver);
+    EXPECT_THROW(skills.execute(kPick, {}, {}), std::invalid_argument);
+    RecordingDriver arm(sample_document());
+    RefinedSkills others(planned(carrying()), test::gantry(), arm);
+    EXPECT_THROW(others.execute(kPick, {}, {}), std::invalid_argument);
+    EXPECT_TRUE(driver.commands.empty());
+}
+
 TEST(RefinedSkills, OptionsAreChecked) {
     RecordingDriver driver(carrying());
     for (const SkillExecution& wrong :
