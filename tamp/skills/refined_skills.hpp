@@ -2,7 +2,7 @@
 //
 //     Solution solution = solve(problem);
 //     RefinedSkills skills(planned(solution.document), *problem.scene.robot, driver);
-//     for (const RefinedStep& step : ...) skills.execute({{"pick", "can"}}, {}, stop);
+//     Execution pick = skills.execute({{"pick", "can"}}, {}, stop);
 //
 // A call is a name and parameters; a `SkillRefiner` has the motions for it. Those of a finished plan are one
 // kind of it (`planned`); another makes the motion when it is called, for the parameters that a learner
@@ -16,7 +16,8 @@
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "search/skills.hpp"
