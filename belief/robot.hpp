@@ -1,6 +1,7 @@
-// The interfaces that a robot's program implements: skills act, observers look.
+// The interfaces that a robot's program implements: skills act (`search/skills.hpp`), observers look.
 //
-// The loop (`Agent`) calls `Skills::execute` for each action of its plan and then `Observer::observe`. A
+// The loop (`Agent`) calls `Skills::execute` for each action of its plan, without parameters, and then
+// `Observer::observe`. An action that is refused ends the run, unless a failure before explains it. A
 // simulated world is both (`SimulatedWorld`); a camera with a vision-language model is an observer
 // (`VisionObserver`). Neither ever learns which outcome of a sensing action was hoped for.
 #pragma once
@@ -11,32 +12,11 @@
 #include <vector>
 
 #include "belief/percept.hpp"
+#include "search/skills.hpp"
 
 namespace praxis::belief {
 
-/// A ground action by names: words[0] is the schema, the others are objects.
-struct ActionName {
-    std::vector<std::string> words;
-    friend auto operator<=>(const ActionName&, const ActionName&) = default;
-};
-
-/// How the execution of an action ended, as far as the robot itself can tell.
-struct Execution {
-    enum class Status {
-        done,     ///< the skill ran to its end
-        failed,   ///< it did not; it is not known whether the action has happened all the same
-        illegal,  ///< the world refuses, and has not changed; the run is over, unless a failure explains it
-    };
-    Status status = Status::done;
-    std::string message;  ///< why not
-};
-
-/// Executes actions.
-class Skills {
-  public:
-    virtual ~Skills() = default;
-    virtual Execution execute(const ActionName& action, std::stop_token stop) = 0;
-};
+using praxis::ActionName, praxis::Execution, praxis::Skills;
 
 /// What an observer is asked after an action (or, with no action, before the first one). After one that
 /// failed, the questions are also about all that it may have changed.

@@ -26,7 +26,7 @@ RobotEnvironment::RobotEnvironment(std::shared_ptr<const BeliefTask> task, Skill
 }
 
 Execution RobotEnvironment::execute(std::uint32_t action, std::stop_token stop) {
-    Execution execution = skills_->execute(AtomNames::name(*task_->physical, action), stop);
+    Execution execution = skills_->execute(AtomNames::name(*task_->physical, action), {}, stop);
     failed_ = execution.status == Execution::Status::failed;
     return execution;
 }

@@ -7,7 +7,8 @@ namespace praxis::belief {
 SimulatedRobot::SimulatedRobot(std::shared_ptr<const BeliefTask> task, SimulatedWorld& world)
     : task_(std::move(task)), world_(&world), actions_(*task_->physical) {}
 
-Execution SimulatedRobot::execute(const ActionName& action, std::stop_token stop) {
+Execution SimulatedRobot::execute(const ActionName& action, std::span<const double> /*parameters*/,
+                                  std::stop_token stop) {
     if (const auto id = actions_.action(action)) return world_->execute(*id, stop);
     return {Execution::Status::illegal, "there is no such action in the world"};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "belief/atom_names.hpp"
 #include "belief/simulated_world.hpp"
@@ -13,8 +14,10 @@ class SimulatedRobot : public Skills, public Observer {
     /// `task` is the ground task with all objects; the world is one of its.
     SimulatedRobot(std::shared_ptr<const BeliefTask> task, SimulatedWorld& world);
 
-    /// An action that the world does not have is illegal.
-    Execution execute(const ActionName& action, std::stop_token stop) override;
+    /// An action that the world does not have is illegal. Its actions have no parameters: any are passed
+    /// over.
+    Execution execute(const ActionName& action, std::span<const double> parameters,
+                      std::stop_token stop) override;
     /// All that the world's sensors and the last action's readings tell.
     Percept observe(const ObservationRequest& request, std::stop_token stop) override;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
 #include "belief/agent.hpp"
 #include "belief/check_run.hpp"
@@ -248,7 +249,8 @@ TEST(Failure, AWorldThatRefusesWithoutADoubtEndsTheRun) {
 
 TEST(Failure, ARobotIsAskedWhatTheActionMayHaveChanged) {
     struct Robot : Skills, Observer {
-        Execution execute(const ActionName&, std::stop_token) override {
+        Execution execute(const ActionName&, std::span<const double> parameters, std::stop_token) override {
+            EXPECT_TRUE(parameters.empty());
             return {Execution::Status::failed, ""};
         }
         Percept observe(const ObservationRequest& request, std::stop_token) override {
