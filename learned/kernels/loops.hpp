@@ -1,0 +1,361 @@
+// The kernels, written once with vectors of PRAXIS_VECTOR_BYTES bytes, PRAXIS_VECTORS of them a block of
+// columns. Included only by the files that compile it for one instruction set each, with namespace
+// PRAXIS_KERNELS. No inline function of another header may be used here: the linker could keep the copy that
+// was compiled for an instruction set that the processor lacks.
+#include "learned/kernels/variants.hpp"
+
+namespace praxis::learned::PRAXIS_KERNELS {
+namespace {
+
+using Index = std::ptrdiff_t;
+
+constexpr int kVectors = PRAXIS_VECTORS;
+constexpr int kMaxBlock = 5;  // outputs at once: with two vectors each and two of input, 12 of 16 registers
+
+template <class T>
+struct Lanes {
+    static constexpr int kCount = PRAXIS_VECTOR_BYTES / static_cast<int>(sizeof(T));
+    static constexpr int kColumns = kVectors * kCount;
+    typedef T Vector __attribute__((vector_size(PRAXIS_VECTOR_BYTES)));
+    static_assert(kRowUnit % kColumns == 0);
+};
+
+template <class T>
+using Vector = typename Lanes<T>::Vector;
+
+template <class V, class T>
+inline void load(V& vector, const T* from) {
+    __builtin_memcpy(&vector, from, sizeof(V));
+}
+template <class V, class T>
+inline void store(const V& vector, T* to) {
+    __builtin_memcpy(to, &vector, sizeof(V));
+}
+
+// One where a column of the block lies in the map, zero behind it.
+template <class T>
+inline void column_mask(int first, int width, Vector<T> (&mask)[kVectors]) {
+    T ones[Lanes<T>::kColumns];
+    for (int column = 0; column < Lanes<T>::kColumns; ++column)
+        ones[column] = first + column < width ? T(1) : T(0);
+    for (int v = 0; v < kVectors; ++v) load(mask[v], ones + v * Lanes<T>::kCount);
+}
+
+// sums[b] += filter(input) at one block of columns, for the outputs b < Block from `filter` on.
+template <class T, int Radius, int Block>
+inline void accumulate(Vector<T> (&sums)[Block][kVectors], const T* input, Index stride, Index plane,
+                       int inputs, const T* filter, Index outputs) {
+    for (int i = 0; i < inputs; ++i) {
+        const T* row = input + i * plane - Radius * stride - Radius;
+        for (int y = 0; y <= 2 * Radius; ++y, row += stride) {
+            for (int x = 0; x <= 2 * Radius; ++x, filter += outputs) {
+                Vector<T> values[kVectors];
+                for (int v = 0; v < kVectors; ++v) load(values[v], row + x + v * Lanes<T>::kCount);
+                for (int b = 0; b < Block; ++b)
+                    for (int v = 0; v < kVectors; ++v) sums[b][v] += values[v] * filter[b];
+            }
+        }
+    }
+}
+
+// Calls body.template operator()<N>(first) for blocks of N <= kMaxBlock outputs that cover 0..outputs-1
+// evenly.
+template <class Body>
+inline void for_blocks(int outputs, const Body& body) {
+    const int blocks = (outputs + kMaxBlock - 1) / kMaxBlock;
+    for (int k = 0, first = 0; k < blocks; ++k) {
+        const int size = (outputs - first) / (blocks - k);
+        switch (size) {
+            case 1:
+                body.template operator()<1>(first);
+                break;
+            case 2:
+                body.template operator()<2>(first);
+                break;
+            case 3:
+                body.template operator()<3>(first);
+                break;
+            case 4:
+                body.template operator()<4>(first);
+                break;
+            default:
+                body.template operator()<5>(first);
+                break;
+        }
+        first += size;
+    }
+}
+
+template <class T, int Radius>
+void convolve_radius(const ConvolutionShape& shape, View<const T> input, const T* filter, View<T> output) {
+    for (int column = 0; column < shape.width; column += Lanes<T>::kColumns) {
+        Vector<T> mask[kVectors] = {};
+        column_mask<T>(column, shape.width, mask);
+        for_blocks(shape.outputs, [&]<int Block>(int first) {
+            for (int row = 0; row < shape.height; ++row) {
+                T* const to = output.origin + first * output.plane + row * output.stride + column;
+                Vector<T> sums[Block][kVectors];
+                for (int b = 0; b < Block; ++b)
+                    for (int v = 0; v < kVectors; ++v)
+                        load(sums[b][v], to + b * output.plane + v * Lanes<T>::kCount);
+                accumulate<T, Radius, Block>(sums, input.origin + row * input.stride + column, input.stride,
+                                             input.plane, shape.inputs, filter + first, shape.outputs);
+                for (int b = 0; b < Block; ++b)
+                    for (int v = 0; v < kVectors; ++v)
+                        store(sums[b][v] * mask[v], to + b * output.plane + v * Lanes<T>::kCount);
+            }
+        });
+    }
+}
+
+template <class T>
+void convolve(const ConvolutionShape& shape, View<const T> input, const T* filter, View<T> output) {
+    switch (shape.radius) {
+        case 0:
+            return convolve_radius<T, 0>(shape, input, filter, output);
+        case 1:
+            return convolve_radius<T, 1>(shape, input, filter, output);
+        default:
+            return convolve_radius<T, 2>(shape, input, filter, output);
+    }
+}
+
+template <class T>
+inline T sum(const Vector<T>& vector) {
+    T total = 0;
+    for (int lane = 0; lane < Lanes<T>::kCount; ++lane) total += vector[lane];
+    return total;
+}
+
+template <class T, int Radius>
+void convolve_gradient_radius(const ConvolutionShape& shape, View<const T> input, View<const T> of_output,
+                              T* of_filter) {
+    constexpr int kSide = 2 * Radius + 1;
+    for (int i = 0; i < shape.inputs; ++i)
+        for (int o = 0; o < shape.outputs; ++o) {
+            const T* const from = input.origin + i * input.plane - Radius * input.stride - Radius;
+            const T* const gradient = of_output.origin + o * of_output.plane;
+            T* const to = of_filter + i * kSide * kSide * shape.outputs + o;
+            for (int y = 0; y < kSide; y += 3) {  // at most 15 accumulators
+                constexpr int kRows = kSide < 3 ? kSide : 3;
+                Vector<T> sums[kRows][kSide] = {};
+                const int rows = kSide - y < kRows ? kSide - y : kRows;
+                for (int row = 0; row < shape.height; ++row)
+                    for (int column = 0; column < shape.width; column += Lanes<T>::kCount) {
+                        Vector<T> g;
+                        load(g, gradient + row * of_output.stride + column);
+                        for (int r = 0; r < kRows; ++r) {
+                            if (r >= rows) break;
+                            for (int x = 0; x < kSide; ++x) {
+                                Vector<T> value;
+                                load(value, from + (row + y + r) * input.stride + column + x);
+                                sums[r][x] += g * value;
+                            }
+                        }
+                    }
+                for (int r = 0; r < rows; ++r)
+                    for (int x = 0; x < kSide; ++x)
+                        to[((y + r) * kSide + x) * shape.outputs] += sum<T>(sums[r][x]);
+            }
+        }
+}
+
+template <class T>
+void convolve_gradient(const ConvolutionShape& shape, View<const T> input, View<const T> of_output,
+                       T* of_filter) {
+    switch (shape.radius) {
+        case 0:
+            return convolve_gradient_radius<T, 0>(shape, input, of_output, of_filter);
+        case 1:
+            return convolve_gradient_radius<T, 1>(shape, input, of_output, of_filter);
+        default:
+            return convolve_gradient_radius<T, 2>(shape, input, of_output, of_filter);
+    }
+}
+
+template <class T, int Radius, bool Record>
+void backup_radius(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
+                   View<T> result, std::uint8_t* best) {
+    const Index outputs = static_cast<Index>(shape.order) * shape.fields;
+    for (int h = 0; h < shape.order; ++h)
+        for (int column = 0; column < shape.width; column += Lanes<T>::kColumns) {
+            Vector<T> mask[kVectors] = {};
+            column_mask<T>(column, shape.width, mask);
+            for (int row = 0; row < shape.height; ++row) {
+                const T* const from = values.origin + row * values.stride + column;
+                const Index cell = row * rewards.stride + column;
+                Vector<T> maxima[kVectors] = {}, which[kVectors] = {};
+                for_blocks(shape.fields, [&]<int Block>(int first) {
+                    const Index channel = h * shape.fields + first;
+                    const T* const reward = rewards.origin + channel * rewards.plane + cell;
+                    Vector<T> sums[Block][kVectors];
+                    for (int b = 0; b < Block; ++b)
+                        for (int v = 0; v < kVectors; ++v)
+                            load(sums[b][v], reward + b * rewards.plane + v * Lanes<T>::kCount);
+                    accumulate<T, Radius, Block>(sums, from, values.stride, values.plane, shape.order,
+                                                 filter + channel, outputs);
+                    for (int v = 0; v < kVectors; ++v) {
+                        if (first == 0) {
+                            maxima[v] = sums[0][v];
+                            which[v] = Vector<T>{};
+                        }
+                        for (int b = first == 0; b < Block; ++b) {
+                            const auto better = sums[b][v] > maxima[v];
+                            maxima[v] = better ? sums[b][v] : maxima[v];
+                            if constexpr (Record)
+                                which[v] = better ? Vector<T>{} + static_cast<T>(first + b) : which[v];
+                        }
+                    }
+                });
+                T* const to = result.origin + h * result.plane + row * result.stride + column;
+                for (int v = 0; v < kVectors; ++v) {
+                    store(maxima[v] * mask[v], to + v * Lanes<T>::kCount);
+                    if constexpr (Record)
+                        for (int lane = 0; lane < Lanes<T>::kCount; ++lane)
+                            best[h * rewards.plane + cell + v * Lanes<T>::kCount + lane] =
+                                static_cast<std::uint8_t>(which[v][lane]);
+                }
+            }
+        }
+}
+
+template <class T>
+void backup(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
+            View<T> result, std::uint8_t* best) {
+    if (shape.radius == 1)
+        best ? backup_radius<T, 1, true>(shape, values, filter, rewards, result, best)
+             : backup_radius<T, 1, false>(shape, values, filter, rewards, result, best);
+    else
+        best ? backup_radius<T, 2, true>(shape, values, filter, rewards, result, best)
+             : backup_radius<T, 2, false>(shape, values, filter, rewards, result, best);
+}
+
+template <class T, int Order>
+struct Cell {
+    typedef T Vector __attribute__((vector_size(Order * sizeof(T))));
+};
+template <class T>
+struct Cell<T, 1> {
+    typedef T Vector;
+};
+
+template <class T, int Order, int Radius>
+void backup_gradient_order(const BackupShape& shape, View<const T> values, const T* turned,
+                           const std::uint8_t* best, View<const T> of_result, View<T> of_values, T* of_turned,
+                           View<T> of_rewards) {
+    using V = typename Cell<T, Order>::Vector;
+    constexpr int kSide = 2 * Radius + 1;
+    constexpr int kTaps = kSide * kSide;
+    const Index stride = values.stride;
+    for (int row = 0; row < shape.height; ++row)
+        for (int column = 0; column < shape.width; ++column) {
+            const Index corner = (row - Radius) * stride + column - Radius;
+            const Index cell = row * of_rewards.stride + column;
+            const T* const gradients = of_result.origin + (row * of_result.stride + column) * Order;
+            for (int h = 0; h < Order; ++h) {
+                const T g = gradients[h];
+                if (g == 0) continue;
+                const Index output = h * shape.fields + best[h * of_rewards.plane + cell];
+                const T* const weights = turned + output * kTaps * Order;
+                T* const of_weights = of_turned ? of_turned + output * kTaps * Order : nullptr;
+                if (of_rewards.origin) of_rewards.origin[output * of_rewards.plane + cell] += g;
+                for (int y = 0; y < kSide; ++y)
+                    for (int x = 0; x < kSide; ++x) {
+                        const Index at = (corner + y * stride + x) * Order;
+                        const int tap = (y * kSide + x) * Order;
+                        V weight, sum;
+                        load(weight, weights + tap);
+                        load(sum, of_values.origin + at);
+                        sum += weight * g;
+                        store(sum, of_values.origin + at);
+                    }
+                if (!of_weights) continue;
+                for (int y = 0; y < kSide; ++y)
+                    for (int x = 0; x < kSide; ++x) {
+                        const int tap = (y * kSide + x) * Order;
+                        V value, sum;
+                        load(value, values.origin + (corner + y * stride + x) * Order);
+                        load(sum, of_weights + tap);
+                        sum += value * g;
+                        store(sum, of_weights + tap);
+                    }
+            }
+        }
+}
+
+template <class T, int Radius>
+void backup_gradient_radius(const BackupShape& shape, View<const T> values, const T* turned,
+                            const std::uint8_t* best, View<const T> of_result, View<T> of_values,
+                            T* of_turned, View<T> of_rewards) {
+    const auto run = [&]<int Order>() {
+        backup_gradient_order<T, Order, Radius>(shape, values, turned, best, of_result, of_values, of_turned,
+                                                of_rewards);
+    };
+    switch (shape.order) {
+        case 1:
+            return run.template operator()<1>();
+        case 4:
+            return run.template operator()<4>();
+        default:
+            return run.template operator()<8>();
+    }
+}
+
+template <class T>
+void backup_gradient(const BackupShape& shape, View<const T> values, const T* turned,
+                     const std::uint8_t* best, View<const T> of_result, View<T> of_values, T* of_turned,
+                     View<T> of_rewards) {
+    shape.radius == 1 ? backup_gradient_radius<T, 1>(shape, values, turned, best, of_result, of_values,
+                                                     of_turned, of_rewards)
+                      : backup_gradient_radius<T, 2>(shape, values, turned, best, of_result, of_values,
+                                                     of_turned, of_rewards);
+}
+
+// exp(x) by 2^n (1 + ...), relative error below 2e-7, for floats that vectorise; exact to rounding for
+// doubles.
+inline float exponential(float x) {
+    x = x < -87.0f ? -87.0f : x;
+    x = x > 88.0f ? 88.0f : x;
+    const float scaled = x * 1.44269504f;
+    const int n = static_cast<int>(scaled + (scaled < 0 ? -0.5f : 0.5f));
+    const float r = (x - static_cast<float>(n) * 0.693359375f) + static_cast<float>(n) * 2.12194440e-4f;
+    float p = 1.9875691500e-4f;
+    p = p * r + 1.3981999507e-3f;
+    p = p * r + 8.3334519073e-3f;
+    p = p * r + 4.1665795894e-2f;
+    p = p * r + 1.6666665459e-1f;
+    p = p * r + 5.0000001201e-1f;
+    p = p * r * r + r + 1.0f;
+    const int bits = (n + 127) << 23;
+    float power;
+    __builtin_memcpy(&power, &bits, sizeof(power));
+    return p * power;
+}
+inline double exponential(double x) {
+    return __builtin_exp(x);
+}
+
+template <class T>
+void sigmoid(T* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) x[i] = 1 / (1 + exponential(-x[i]));
+}
+
+template <class T>
+void tanh(T* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) x[i] = 1 - 2 / (1 + exponential(2 * x[i]));
+}
+
+}  // namespace
+
+template <class T>
+const Kernels<T>& table() {
+    static constexpr char kText[] = PRAXIS_KERNELS_TEXT;
+    static constexpr Kernels<T> kTable{
+        kText, convolve<T>, convolve_gradient<T>, backup<T>, backup_gradient<T>, sigmoid<T>, tanh<T>};
+    return kTable;
+}
+
+template const Kernels<float>& table<float>();
+template const Kernels<double>& table<double>();
+
+}  // namespace praxis::learned::PRAXIS_KERNELS

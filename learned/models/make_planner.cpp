@@ -1,0 +1,43 @@
+#include <stdexcept>
+
+#include "learned/layers/fixed_point.hpp"
+#include "learned/models/value_iteration_network.hpp"
+
+namespace praxis::learned {
+namespace {
+
+void require(bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument("learned planner: " + what);
+}
+
+void check(const PlannerOptions& options) {
+    const auto known = [&](std::initializer_list<const char*> names) {
+        for (const char* name : names)
+            if (options.model == name) return true;
+        return false;
+    };
+    require(known({"vin"}), "unknown model '" + options.model + "' (known: vin)");
+    require(options.fields >= 1 && options.fields <= 255, "fields must be 1 to 255");
+    require(options.iterations >= 1 && options.iterations <= 100'000, "iterations must be 1 to 100000");
+    require(options.radius == 1 || options.radius == 2, "radius must be 1 or 2");
+    require(options.input_radius == 1 || options.input_radius == 2, "input_radius must be 1 or 2");
+    require(options.contraction >= 0 && options.contraction <= 1, "contraction must be 0 (none) to 1");
+    require(options.tolerance > 0, "tolerance must be positive");
+    require(options.backward_iterations >= 1 && options.backward_iterations <= 100'000,
+            "backward_iterations must be 1 to 100000");
+    require(options.anderson >= 0 && options.anderson <= AdjointSolver<float>::kMaxMixed,
+            "anderson must be 0 to " + std::to_string(AdjointSolver<float>::kMaxMixed));
+}
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Planner<T>> make_planner(const PlannerOptions& options, std::uint64_t seed) {
+    check(options);
+    return std::make_unique<ValueIterationNetwork<T>>(options, seed);
+}
+
+template std::unique_ptr<Planner<float>> make_planner(const PlannerOptions&, std::uint64_t);
+template std::unique_ptr<Planner<double>> make_planner(const PlannerOptions&, std::uint64_t);
+
+}  // namespace praxis::learned
