@@ -74,7 +74,7 @@ struct Kernels {
                             const std::uint8_t* best, View<const T> of_result, View<T> of_values,
                             T* of_turned, View<T> of_rewards);
 
-    /// x <- 1 / (1 + exp(-x)) and x <- tanh(x), for `count` values, a multiple of kRowUnit.
+    /// x <- 1 / (1 + exp(-x)) and x <- tanh(x), for `count` values.
     void (*sigmoid)(T* x, std::size_t count);
     void (*tanh)(T* x, std::size_t count);
 };

@@ -24,21 +24,31 @@ template <class T>
 using Vector = typename Lanes<T>::Vector;
 
 template <class V, class T>
-inline void load(V& vector, const T* from) {
+inline V load(const T* from) {
+    V vector;
     __builtin_memcpy(&vector, from, sizeof(V));
+    return vector;
 }
 template <class V, class T>
 inline void store(const V& vector, T* to) {
     __builtin_memcpy(to, &vector, sizeof(V));
 }
 
+template <class T>
+struct ColumnMask {
+    T values[2 * Lanes<T>::kColumns] = {};
+    constexpr ColumnMask() {
+        for (int column = 0; column < Lanes<T>::kColumns; ++column) values[column] = 1;
+    }
+};
+
 // One where a column of the block lies in the map, zero behind it.
 template <class T>
 inline void column_mask(int first, int width, Vector<T> (&mask)[kVectors]) {
-    T ones[Lanes<T>::kColumns];
-    for (int column = 0; column < Lanes<T>::kColumns; ++column)
-        ones[column] = first + column < width ? T(1) : T(0);
-    for (int v = 0; v < kVectors; ++v) load(mask[v], ones + v * Lanes<T>::kCount);
+    static constexpr ColumnMask<T> kMask;
+    const int inside = width - first < Lanes<T>::kColumns ? width - first : Lanes<T>::kColumns;
+    for (int v = 0; v < kVectors; ++v)
+        mask[v] = load<Vector<T>>(kMask.values + Lanes<T>::kColumns - inside + v * Lanes<T>::kCount);
 }
 
 // sums[b] += filter(input) at one block of columns, for the outputs b < Block from `filter` on.
@@ -50,7 +60,8 @@ inline void accumulate(Vector<T> (&sums)[Block][kVectors], const T* input, Index
         for (int y = 0; y <= 2 * Radius; ++y, row += stride) {
             for (int x = 0; x <= 2 * Radius; ++x, filter += outputs) {
                 Vector<T> values[kVectors];
-                for (int v = 0; v < kVectors; ++v) load(values[v], row + x + v * Lanes<T>::kCount);
+                for (int v = 0; v < kVectors; ++v)
+                    values[v] = load<Vector<T>>(row + x + v * Lanes<T>::kCount);
                 for (int b = 0; b < Block; ++b)
                     for (int v = 0; v < kVectors; ++v) sums[b][v] += values[v] * filter[b];
             }
@@ -97,7 +108,7 @@ void convolve_radius(const ConvolutionShape& shape, View<const T> input, const T
                 Vector<T> sums[Block][kVectors];
                 for (int b = 0; b < Block; ++b)
                     for (int v = 0; v < kVectors; ++v)
-                        load(sums[b][v], to + b * output.plane + v * Lanes<T>::kCount);
+                        sums[b][v] = load<Vector<T>>(to + b * output.plane + v * Lanes<T>::kCount);
                 accumulate<T, Radius, Block>(sums, input.origin + row * input.stride + column, input.stride,
                                              input.plane, shape.inputs, filter + first, shape.outputs);
                 for (int b = 0; b < Block; ++b)
@@ -142,13 +153,12 @@ void convolve_gradient_radius(const ConvolutionShape& shape, View<const T> input
                 const int rows = kSide - y < kRows ? kSide - y : kRows;
                 for (int row = 0; row < shape.height; ++row)
                     for (int column = 0; column < shape.width; column += Lanes<T>::kCount) {
-                        Vector<T> g;
-                        load(g, gradient + row * of_output.stride + column);
+                        const auto g = load<Vector<T>>(gradient + row * of_output.stride + column);
                         for (int r = 0; r < kRows; ++r) {
                             if (r >= rows) break;
                             for (int x = 0; x < kSide; ++x) {
-                                Vector<T> value;
-                                load(value, from + (row + y + r) * input.stride + column + x);
+                                const auto value =
+                                    load<Vector<T>>(from + (row + y + r) * input.stride + column + x);
                                 sums[r][x] += g * value;
                             }
                         }
@@ -173,50 +183,74 @@ void convolve_gradient(const ConvolutionShape& shape, View<const T> input, View<
     }
 }
 
+// The maxima over a block of fields at a block of columns, in all rows; if it is not the first block, over
+// the blocks before it too, whose maxima are in `result` and `best` already.
+template <class T, int Radius, int Order, int Block, bool Record>
+void backup_block(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
+                  T* result, Index result_stride, std::uint8_t* best, int field, int column) {
+    constexpr int kLanes = Lanes<T>::kCount;
+    typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
+    const Index outputs = static_cast<Index>(Order) * shape.fields;
+    Vector<T> mask[kVectors];
+    column_mask<T>(column, shape.width, mask);
+    for (int row = 0; row < shape.height; ++row) {
+        const T* const reward = rewards.origin + row * rewards.stride;
+        Vector<T> sums[Block][kVectors];
+        for (int b = 0; b < Block; ++b)
+            for (int v = 0; v < kVectors; ++v)
+                sums[b][v] = load<Vector<T>>(reward + b * rewards.plane + v * kLanes);
+        accumulate<T, Radius, Block>(sums, values.origin + row * values.stride, values.stride, values.plane,
+                                     Order, filter, outputs);
+        for (int v = 0; v < kVectors; ++v) {
+            T* const to = result + row * result_stride + v * kLanes;
+            Vector<T> maximum = sums[0][v], which = Vector<T>{} + static_cast<T>(field);
+            for (int b = 1; b < Block; ++b) {
+                const auto better = sums[b][v] > maximum;
+                maximum = better ? sums[b][v] : maximum;
+                if constexpr (Record) which = better ? Vector<T>{} + static_cast<T>(field + b) : which;
+            }
+            if (field > 0) {
+                const auto before = load<Vector<T>>(to);
+                const auto better = maximum > before;
+                maximum = better ? maximum : before;
+                if constexpr (Record) {
+                    const auto bytes = load<Bytes>(best + row * rewards.stride + v * kLanes);
+                    which = better ? which : __builtin_convertvector(bytes, Vector<T>);
+                }
+            }
+            store(maximum * mask[v], to);
+            if constexpr (Record)
+                store(__builtin_convertvector(which, Bytes), best + row * rewards.stride + v * kLanes);
+        }
+    }
+}
+
+template <class T, int Radius, int Order, bool Record>
+void backup_order(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
+                  View<T> result, std::uint8_t* best) {
+    for (int h = 0; h < Order; ++h)
+        for (int column = 0; column < shape.width; column += Lanes<T>::kColumns)
+            for_blocks(shape.fields, [&]<int Block>(int field) {
+                const Index channel = h * shape.fields + field;
+                backup_block<T, Radius, Order, Block, Record>(
+                    shape, {values.origin + column, values.stride, values.plane}, filter + channel,
+                    {rewards.origin + channel * rewards.plane + column, rewards.stride, rewards.plane},
+                    result.origin + h * result.plane + column, result.stride,
+                    Record ? best + h * rewards.plane + column : nullptr, field, column);
+            });
+}
+
 template <class T, int Radius, bool Record>
 void backup_radius(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
                    View<T> result, std::uint8_t* best) {
-    const Index outputs = static_cast<Index>(shape.order) * shape.fields;
-    for (int h = 0; h < shape.order; ++h)
-        for (int column = 0; column < shape.width; column += Lanes<T>::kColumns) {
-            Vector<T> mask[kVectors] = {};
-            column_mask<T>(column, shape.width, mask);
-            for (int row = 0; row < shape.height; ++row) {
-                const T* const from = values.origin + row * values.stride + column;
-                const Index cell = row * rewards.stride + column;
-                Vector<T> maxima[kVectors] = {}, which[kVectors] = {};
-                for_blocks(shape.fields, [&]<int Block>(int first) {
-                    const Index channel = h * shape.fields + first;
-                    const T* const reward = rewards.origin + channel * rewards.plane + cell;
-                    Vector<T> sums[Block][kVectors];
-                    for (int b = 0; b < Block; ++b)
-                        for (int v = 0; v < kVectors; ++v)
-                            load(sums[b][v], reward + b * rewards.plane + v * Lanes<T>::kCount);
-                    accumulate<T, Radius, Block>(sums, from, values.stride, values.plane, shape.order,
-                                                 filter + channel, outputs);
-                    for (int v = 0; v < kVectors; ++v) {
-                        if (first == 0) {
-                            maxima[v] = sums[0][v];
-                            which[v] = Vector<T>{};
-                        }
-                        for (int b = first == 0; b < Block; ++b) {
-                            const auto better = sums[b][v] > maxima[v];
-                            maxima[v] = better ? sums[b][v] : maxima[v];
-                            if constexpr (Record)
-                                which[v] = better ? Vector<T>{} + static_cast<T>(first + b) : which[v];
-                        }
-                    }
-                });
-                T* const to = result.origin + h * result.plane + row * result.stride + column;
-                for (int v = 0; v < kVectors; ++v) {
-                    store(maxima[v] * mask[v], to + v * Lanes<T>::kCount);
-                    if constexpr (Record)
-                        for (int lane = 0; lane < Lanes<T>::kCount; ++lane)
-                            best[h * rewards.plane + cell + v * Lanes<T>::kCount + lane] =
-                                static_cast<std::uint8_t>(which[v][lane]);
-                }
-            }
-        }
+    switch (shape.order) {
+        case 1:
+            return backup_order<T, Radius, 1, Record>(shape, values, filter, rewards, result, best);
+        case 4:
+            return backup_order<T, Radius, 4, Record>(shape, values, filter, rewards, result, best);
+        default:
+            return backup_order<T, Radius, 8, Record>(shape, values, filter, rewards, result, best);
+    }
 }
 
 template <class T>
@@ -263,21 +297,16 @@ void backup_gradient_order(const BackupShape& shape, View<const T> values, const
                     for (int x = 0; x < kSide; ++x) {
                         const Index at = (corner + y * stride + x) * Order;
                         const int tap = (y * kSide + x) * Order;
-                        V weight, sum;
-                        load(weight, weights + tap);
-                        load(sum, of_values.origin + at);
-                        sum += weight * g;
-                        store(sum, of_values.origin + at);
+                        store(load<V>(of_values.origin + at) + load<V>(weights + tap) * g,
+                              of_values.origin + at);
                     }
                 if (!of_weights) continue;
                 for (int y = 0; y < kSide; ++y)
                     for (int x = 0; x < kSide; ++x) {
                         const int tap = (y * kSide + x) * Order;
-                        V value, sum;
-                        load(value, values.origin + (corner + y * stride + x) * Order);
-                        load(sum, of_weights + tap);
-                        sum += value * g;
-                        store(sum, of_weights + tap);
+                        store(load<V>(of_weights + tap) +
+                                  load<V>(values.origin + (corner + y * stride + x) * Order) * g,
+                              of_weights + tap);
                     }
             }
         }

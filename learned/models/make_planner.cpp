@@ -1,6 +1,8 @@
 #include <stdexcept>
 
 #include "learned/layers/fixed_point.hpp"
+#include "learned/models/gated_network.hpp"
+#include "learned/models/lstm_network.hpp"
 #include "learned/models/value_iteration_network.hpp"
 
 namespace praxis::learned {
@@ -16,7 +18,9 @@ void check(const PlannerOptions& options) {
             if (options.model == name) return true;
         return false;
     };
-    require(known({"vin"}), "unknown model '" + options.model + "' (known: vin)");
+    require(known({"vin", "gru", "lstm"}), "unknown model '" + options.model + "' (known: vin, gru, lstm)");
+    require(options.model != "lstm" || options.differentiation == Differentiation::unrolled,
+            "an lstm has no implicit form: its cell states need not settle");
     require(options.fields >= 1 && options.fields <= 255, "fields must be 1 to 255");
     require(options.iterations >= 1 && options.iterations <= 100'000, "iterations must be 1 to 100000");
     require(options.radius == 1 || options.radius == 2, "radius must be 1 or 2");
@@ -34,6 +38,8 @@ void check(const PlannerOptions& options) {
 template <class T>
 std::unique_ptr<Planner<T>> make_planner(const PlannerOptions& options, std::uint64_t seed) {
     check(options);
+    if (options.model == "gru") return std::make_unique<GatedNetwork<T>>(options, seed);
+    if (options.model == "lstm") return std::make_unique<LstmNetwork<T>>(options, seed);
     return std::make_unique<ValueIterationNetwork<T>>(options, seed);
 }
 

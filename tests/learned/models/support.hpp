@@ -11,7 +11,7 @@ inline PlannerOptions small(const std::string& model, const std::string& group) 
     PlannerOptions options;
     options.model = model;
     options.group = group;
-    options.fields = 3;
+    options.fields = 2;
     options.iterations = 6;
     return options;
 }
