@@ -1,4 +1,5 @@
-// What planning on one map costs with a network: 15x15 cells, 30 iterations, one core, from the map to the policy.
+// What planning on one map costs with a network: 15x15 cells, 30 iterations, one core, from the map to the
+// policy.
 #include <benchmark/benchmark.h>
 
 #include "learned/layers/loss.hpp"
@@ -54,14 +55,16 @@ void back_up(benchmark::State& state, int order, int fields) {
     const std::vector<float> filter(static_cast<std::size_t>(order * order * fields * shape.taps()), 0.01f);
     for (auto _ : state) {
         for (int k = 0; k < 15; ++k) {
-            kernels<float>().backup(shape, values.view(), filter.data(), rewards.view(), result.view(), nullptr);
-            kernels<float>().backup(shape, result.view(), filter.data(), rewards.view(), values.view(), nullptr);
+            kernels<float>().backup(shape, values.view(), filter.data(), rewards.view(), result.view(),
+                                    nullptr);
+            kernels<float>().backup(shape, result.view(), filter.data(), rewards.view(), values.view(),
+                                    nullptr);
         }
         benchmark::DoNotOptimize(values.data());
     }
     const double operations = 2.0 * 225 * 9 * order * order * fields * 30;
-    state.counters["flop/s"] =
-        benchmark::Counter(operations, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1000);
+    state.counters["flop/s"] = benchmark::Counter(operations, benchmark::Counter::kIsIterationInvariantRate,
+                                                  benchmark::Counter::kIs1000);
 }
 
 PlannerOptions implicit(PlannerOptions options, int iterations) {
@@ -106,5 +109,3 @@ BENCHMARK(exact);
 
 }  // namespace
 }  // namespace praxis::learned
-
-

@@ -32,6 +32,9 @@ Orbits orbits(const Group& group, const Representation& input, const Representat
     return result;
 }
 
+// Scaled weights stay within the bound after rounding, so that scaling again changes nothing.
+constexpr double kMargin = 5e-7;
+
 }  // namespace
 
 SharedFilter::SharedFilter(const Group& group, const Fields& input, const Fields& output, int radius)
@@ -60,11 +63,12 @@ template <class T>
 void SharedFilter::bound_norm(std::span<T> parameters, T bound) const {
     const std::size_t of_field = static_cast<std::size_t>(input_fields_ * orbits_);
     for (int field = 0; field < output_fields_; ++field) {
-        T norm = 0;
+        double norm = 0;
         for (int tap = 0; tap < inputs_ * taps(); ++tap)
-            norm += std::abs(parameters[parameter_of_[static_cast<std::size_t>(tap * outputs_ + field)]]);
-        if (!(norm > bound)) continue;
-        const T factor = bound / norm;
+            norm += static_cast<double>(
+                std::abs(parameters[parameter_of_[static_cast<std::size_t>(tap * outputs_ + field)]]));
+        if (!(norm > static_cast<double>(bound))) continue;
+        const T factor = static_cast<T>((1 - kMargin) * static_cast<double>(bound) / norm);
         for (T& weight : parameters.subspan(static_cast<std::size_t>(field) * of_field, of_field))
             weight *= factor;
     }

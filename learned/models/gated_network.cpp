@@ -10,9 +10,9 @@ namespace praxis::learned {
 
 template <class T>
 struct GatedNetwork<T>::Step {
-    Planes<T> h;                        // before, padded
+    Planes<T> h;                         // before, padded
     std::array<Planes<T>, kGates> gate;  // after their nonlinearities
-    Planes<T> reset;                    // r h, padded
+    Planes<T> reset;                     // r h, padded
 };
 
 template <class T>
@@ -33,10 +33,10 @@ template <class T>
 GatedNetwork<T>::GatedNetwork(const PlannerOptions& options, std::uint64_t seed)
     : Planner<T>(options), group_(options.group) {
     using Layer = Convolution<T>;
-    const Fields input{trivial(group_), kInputs}, state{regular(group_), options.fields}, actions{moves(group_), 1};
-    const auto layer = [&](const std::string& name, const Fields& from, const Fields& to, int radius, auto bias) {
-        return Layer(this->layout_, name, group_, from, to, radius, bias);
-    };
+    const Fields input{trivial(group_), kInputs}, state{regular(group_), options.fields},
+        actions{moves(group_), 1};
+    const auto layer = [&](const std::string& name, const Fields& from, const Fields& to, int radius,
+                           auto bias) { return Layer(this->layout_, name, group_, from, to, radius, bias); };
     constexpr std::array kNames{"update", "reset", "candidate"};
     start_ = layer("start", input, state, options.input_radius, Layer::Bias::yes);
     for (std::size_t g = 0; g < kGates; ++g) {
@@ -47,14 +47,16 @@ GatedNetwork<T>::GatedNetwork(const PlannerOptions& options, std::uint64_t seed)
     head_ = layer("head", state, actions, 0, Layer::Bias::no);
     this->parameters_.resize(this->layout_.size());
     Random random(seed);
-    for (const Layer* one : {&start_, &input_[0], &input_[1], &input_[2], &hidden_[0], &hidden_[1], &hidden_[2], &head_})
+    for (const Layer* one :
+         {&start_, &input_[0], &input_[1], &input_[2], &hidden_[0], &hidden_[1], &hidden_[2], &head_})
         one->initialise(this->parameters_, random, 1);
     update();
 }
 
 template <class T>
 void GatedNetwork<T>::update() {
-    for (Convolution<T>* layer : {&start_, &input_[0], &input_[1], &input_[2], &hidden_[0], &hidden_[1], &hidden_[2], &head_})
+    for (Convolution<T>* layer :
+         {&start_, &input_[0], &input_[1], &input_[2], &hidden_[0], &hidden_[1], &hidden_[2], &head_})
         layer->update(this->parameters_);
 }
 
@@ -162,8 +164,8 @@ template <class T>
 void GatedNetwork<T>::step_back(Memory& memory, const Step& step, const Planes<T>& of_next,
                                 std::span<T> gradient) const {
     const std::size_t size = of_next.size();
-    const T *z = step.gate[update_gate].data(), *r = step.gate[reset_gate].data(), *n = step.gate[candidate].data(),
-            *h = step.h.data(), *of = of_next.data();
+    const T *z = step.gate[update_gate].data(), *r = step.gate[reset_gate].data(),
+            *n = step.gate[candidate].data(), *h = step.h.data(), *of = of_next.data();
     T *of_z = memory.of_gate[update_gate].data(), *of_r = memory.of_gate[reset_gate].data(),
       *of_n = memory.of_gate[candidate].data(), *of_h = memory.of_h.data();
     for (std::size_t i = 0; i < size; ++i) {
@@ -203,7 +205,8 @@ void GatedNetwork<T>::differentiate_fixed_point(Memory& memory, std::span<T> gra
     const AdjointResult found = solver.solve(solution, [&](std::span<const T> u, std::span<T> image) {
         std::ranges::copy(u, point.data());
         step_back(memory, step, point, {});
-        for (std::size_t i = 0; i < image.size(); ++i) image[i] = memory.of_h.data()[i] + of_fixed_point.data()[i];
+        for (std::size_t i = 0; i < image.size(); ++i)
+            image[i] = memory.of_h.data()[i] + of_fixed_point.data()[i];
     });
     memory.backward_iterations = found.iterations;
     memory.backward_residual = found.residual;

@@ -1,13 +1,14 @@
 // ConvGPPN, and with a group SymGPPN (Zhao et al., ICLR 2023): gated path planning with a convolutional GRU.
 //
-//     z, r = sigmoid(X + filter(h)),  n = tanh(X + filter(r h)),  h <- (1 - z) h + z n,  K times,  policy = head(h)
+//     z, r = sigmoid(X + filter(h)),  n = tanh(X + filter(r h)),  h <- (1 - z) h + z n,  K times,  policy =
+//     head(h)
 //
-// X = filter(map, goal) differs for each gate and is computed once: it is injected into every iteration, so that a fixed point
-// depends on the map and not on the start, h = tanh(filter(map, goal)). All filters share their weights under the group;
-// gates act on each channel alone, which commutes with its permutations.
+// X = filter(map, goal) differs for each gate and is computed once: it is injected into every iteration, so
+// that a fixed point depends on the map and not on the start, h = tanh(filter(map, goal)). All filters share
+// their weights under the group; gates act on each channel alone, which commutes with its permutations.
 //
-// A GRU is not a contraction. An implicit one tells its residuals (Trace), so that the caller can see whether there
-// was a fixed point.
+// A GRU is not a contraction. An implicit one tells its residuals (Trace), so that the caller can see whether
+// there was a fixed point.
 #pragma once
 
 #include <array>

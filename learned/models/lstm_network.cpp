@@ -41,11 +41,10 @@ template <class T>
 LstmNetwork<T>::LstmNetwork(const PlannerOptions& options, std::uint64_t seed)
     : Planner<T>(options), group_(options.group) {
     using Layer = Convolution<T>;
-    const Fields input{trivial(group_), kInputs}, state{regular(group_), options.fields}, one{regular(group_), 1},
-        actions{moves(group_), 1};
-    const auto layer = [&](const std::string& name, const Fields& from, const Fields& to, int radius, auto bias) {
-        return Layer(this->layout_, name, group_, from, to, radius, bias);
-    };
+    const Fields input{trivial(group_), kInputs}, state{regular(group_), options.fields},
+        one{regular(group_), 1}, actions{moves(group_), 1};
+    const auto layer = [&](const std::string& name, const Fields& from, const Fields& to, int radius,
+                           auto bias) { return Layer(this->layout_, name, group_, from, to, radius, bias); };
     start_h_ = layer("start.h", input, state, options.input_radius, Layer::Bias::yes);
     start_c_ = layer("start.c", input, state, options.input_radius, Layer::Bias::yes);
     neighbours_ = layer("neighbours", state, one, options.radius, Layer::Bias::yes);

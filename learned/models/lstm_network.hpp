@@ -1,9 +1,11 @@
-// Gated path planning networks (Lee et al., ICML 2018): an LSTM at each cell, that sees its neighbours through one filter.
+// Gated path planning networks (Lee et al., ICML 2018): an LSTM at each cell, that sees its neighbours
+// through one filter.
 //
-//     u = filter(h),  i, f, o = sigmoid(W u + U h),  g = tanh(W u + U h),  c <- f c + i g,  h <- o tanh(c),  K times
+//     u = filter(h),  i, f, o = sigmoid(W u + U h),  g = tanh(W u + U h),  c <- f c + i g,  h <- o tanh(c),
+//     K times
 //
-// W and U are matrices, the same at all cells; h and c start as filters of the map and the goal. With a group, u is one regular
-// field and all of it is shared under the group.
+// W and U are matrices, the same at all cells; h and c start as filters of the map and the goal. With a
+// group, u is one regular field and all of it is shared under the group.
 #pragma once
 
 #include <array>

@@ -35,6 +35,21 @@ void check(const PlannerOptions& options) {
 
 }  // namespace
 
+std::size_t parameter_count(const PlannerOptions& options) {
+    check(options);
+    const auto taps = [](int radius) {
+        return static_cast<std::size_t>((2 * radius + 1) * (2 * radius + 1));
+    };
+    const std::size_t fields = static_cast<std::size_t>(options.fields),
+                      order = static_cast<std::size_t>(Group(options.group).order()),
+                      lifted = fields * (kInputs * taps(options.input_radius) + 1), head = 4 * fields,
+                      one = fields * order;  // of a matrix between one regular field and all
+    if (options.model == "gru") return 4 * lifted + 3 * fields * one * taps(options.radius) + head;
+    if (options.model == "lstm")
+        return 2 * lifted + one * taps(options.radius) + 1 + 4 * (one + fields + fields * one) + head;
+    return lifted + one * taps(options.radius) + head;
+}
+
 template <class T>
 std::unique_ptr<Planner<T>> make_planner(const PlannerOptions& options, std::uint64_t seed) {
     check(options);

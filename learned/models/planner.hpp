@@ -70,6 +70,9 @@ class Planner {
     std::vector<T> parameters_;
 };
 
+/// How many parameters a planner has, without building it; std::invalid_argument for options out of range.
+std::size_t parameter_count(const PlannerOptions& options);
+
 /// A planner with initial weights; std::invalid_argument for options out of range.
 template <class T>
 std::unique_ptr<Planner<T>> make_planner(const PlannerOptions& options, std::uint64_t seed);

@@ -44,7 +44,10 @@ ValueIterationNetwork<T>::ValueIterationNetwork(const PlannerOptions& options, s
     reward_.initialise(this->parameters_, random, 1);
     value_.initialise(this->parameters_, random, 1);
     head_.initialise(this->parameters_, random, getenv("HG") ? atof(getenv("HG")) : 1);
-    if (getenv("POS")) for (T& w : std::span<T>(this->parameters_).subspan(this->layout_.blocks()[2].first, this->layout_.blocks()[2].size)) w = std::abs(w);
+    if (getenv("POS"))
+        for (T& w : std::span<T>(this->parameters_)
+                        .subspan(this->layout_.blocks()[2].first, this->layout_.blocks()[2].size))
+            w = std::abs(w);
     update();
 }
 

@@ -1,4 +1,5 @@
-// Turning the map turns the policy: |f(g x) - g f(x)| at initial weights and after training, and where it must not hold.
+// Turning the map turns the policy: |f(g x) - g f(x)| at initial weights and after training, and where it
+// must not hold.
 #include <gtest/gtest.h>
 
 #include "learned/training/trainer.hpp"
@@ -68,7 +69,8 @@ std::vector<Kind> kinds() {
         for (const Padding padding : {Padding::zero, Padding::circular}) {
             for (const char* model : {"vin", "gru", "lstm"})
                 result.push_back({model, group, Differentiation::unrolled, padding});
-            for (const char* model : {"vin", "gru"}) result.push_back({model, group, Differentiation::implicit, padding});
+            for (const char* model : {"vin", "gru"})
+                result.push_back({model, group, Differentiation::implicit, padding});
         }
     return result;
 }

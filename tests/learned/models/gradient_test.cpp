@@ -16,8 +16,14 @@ struct Network {
 
 std::vector<Network> networks() {
     std::vector<Network> result;
-    for (const auto& [model, group] : std::initializer_list<std::pair<const char*, const char*>>{
-             {"vin", "c1"}, {"vin", "c4"}, {"vin", "d4"}, {"gru", "c1"}, {"gru", "d4"}, {"lstm", "c1"}, {"lstm", "d4"}})
+    for (const auto& [model, group] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"vin", "c1"},
+                                                                    {"vin", "c4"},
+                                                                    {"vin", "d4"},
+                                                                    {"gru", "c1"},
+                                                                    {"gru", "d4"},
+                                                                    {"lstm", "c1"},
+                                                                    {"lstm", "d4"}})
         for (const Padding padding : {Padding::zero, Padding::circular})
             for (const int radius : {1, 2}) result.push_back({model, group, padding, radius});
     return result;

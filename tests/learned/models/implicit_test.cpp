@@ -17,16 +17,17 @@ struct Kind {
 };
 
 class Implicit : public testing::TestWithParam<Kind> {};
-INSTANTIATE_TEST_SUITE_P(All, Implicit,
-                         testing::Values(Kind{"vin", "c1", 5, Padding::zero}, Kind{"vin", "d4", 5, Padding::zero},
-                                         Kind{"vin", "c1", 0, Padding::circular}, Kind{"vin", "d4", 0, Padding::zero},
-                                         Kind{"gru", "c1", 5, Padding::zero}, Kind{"gru", "d4", 5, Padding::circular},
-                                         Kind{"gru", "c4", 0, Padding::circular}),
-                         [](const auto& instance) {
-                             return instance.param.model + "_" + instance.param.group + "_" +
-                                    std::to_string(instance.param.anderson) +
-                                    (instance.param.padding == Padding::zero ? "_zero" : "_circular");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, Implicit,
+    testing::Values(Kind{"vin", "c1", 5, Padding::zero}, Kind{"vin", "d4", 5, Padding::zero},
+                    Kind{"vin", "c1", 0, Padding::circular}, Kind{"vin", "d4", 0, Padding::zero},
+                    Kind{"gru", "c1", 5, Padding::zero}, Kind{"gru", "d4", 5, Padding::circular},
+                    Kind{"gru", "c4", 0, Padding::circular}),
+    [](const auto& instance) {
+        return instance.param.model + "_" + instance.param.group + "_" +
+               std::to_string(instance.param.anderson) +
+               (instance.param.padding == Padding::zero ? "_zero" : "_circular");
+    });
 
 TEST_P(Implicit, GradientAgreesWithBackpropagation) {
     PlannerOptions options = small(GetParam().model, GetParam().group);
@@ -82,8 +83,7 @@ TEST(AdjointSolver, SolvesAndAndersonNeedsFewerSteps) {
         u = b;
         AdjointSolver<double> solver(mixed, 1000, 1e-10);
         const auto apply = [&](std::span<const double> x, std::span<double> image) {
-            for (std::size_t i = 0; i < kSize; ++i)
-                image[i] = 0.8 * x[i] + 0.15 * x[(i + 1) % kSize] + b[i];
+            for (std::size_t i = 0; i < kSize; ++i) image[i] = 0.8 * x[i] + 0.15 * x[(i + 1) % kSize] + b[i];
         };
         const AdjointResult result = solver.solve(u, apply);
         std::vector<double> image(kSize);
