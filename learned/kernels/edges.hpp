@@ -12,7 +12,11 @@ enum class Padding : std::uint8_t { zero, circular };
 /// that circular padding copies there.
 template <class Visit>
 void for_halo(int height, int width, int halo, const Visit& visit) {
-    const auto wrapped = [](int at, int size) { return ((at % size) + size) % size; };
+    const auto wrapped = [](int at, int size) {
+        while (at < 0) at += size;
+        while (at >= size) at -= size;
+        return at;
+    };
     for (int row = -halo; row < height + halo; ++row) {
         const bool inside = row >= 0 && row < height;
         for (int column = -halo; column < width + halo; ++column) {

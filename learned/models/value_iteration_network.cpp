@@ -43,11 +43,7 @@ ValueIterationNetwork<T>::ValueIterationNetwork(const PlannerOptions& options, s
     Random random(seed);
     reward_.initialise(this->parameters_, random, 1);
     value_.initialise(this->parameters_, random, 1);
-    head_.initialise(this->parameters_, random, getenv("HG") ? atof(getenv("HG")) : 1);
-    if (getenv("POS"))
-        for (T& w : std::span<T>(this->parameters_)
-                        .subspan(this->layout_.blocks()[2].first, this->layout_.blocks()[2].size))
-            w = std::abs(w);
+    head_.initialise(this->parameters_, random, 1);
     update();
 }
 
