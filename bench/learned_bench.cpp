@@ -2,6 +2,7 @@
 // policy.
 #include <benchmark/benchmark.h>
 
+#include "learned/kernels/row_pairs.hpp"
 #include "learned/layers/loss.hpp"
 #include "learned/maps/navigation.hpp"
 #include "learned/models/planner.hpp"
@@ -48,17 +49,25 @@ void learn(benchmark::State& state, const PlannerOptions& options) {
     }
 }
 
-/// The kernel that value iteration spends its time in, without its surroundings.
-void back_up(benchmark::State& state, int order, int fields) {
+/// The kernel that value iteration spends its time in, without its surroundings; row by row, or rows in
+/// pairs.
+void back_up(benchmark::State& state, int order, int fields, bool pairs) {
     const BackupShape shape{15, 15, 1, order, fields};
     Planes<float> values(order, 15, 15, 1), result = values, rewards(order * fields, 15, 15, 0);
     const std::vector<float> filter(static_cast<std::size_t>(order * order * fields * shape.taps()), 0.01f);
+    std::vector<float> paired, scratch(row_pair_scratch(shape, values.stride()));
+    pair_filter(order, order * fields, std::span<const float>(filter), paired);
+    const auto step = [&](const Planes<float>& from, Planes<float>& to) {
+        if (pairs)
+            kernels<float>().backup_by_pairs(shape, from.view(), paired.data(), rewards.view(), to.view(),
+                                             nullptr, scratch.data());
+        else
+            kernels<float>().backup(shape, from.view(), filter.data(), rewards.view(), to.view(), nullptr);
+    };
     for (auto _ : state) {
         for (int k = 0; k < 15; ++k) {
-            kernels<float>().backup(shape, values.view(), filter.data(), rewards.view(), result.view(),
-                                    nullptr);
-            kernels<float>().backup(shape, result.view(), filter.data(), rewards.view(), values.view(),
-                                    nullptr);
+            step(values, result);
+            step(result, values);
         }
         benchmark::DoNotOptimize(values.data());
     }
@@ -88,9 +97,11 @@ void exact(benchmark::State& state) {
     }
 }
 
-BENCHMARK_CAPTURE(back_up, VIN_10_channels_30_times, 1, 10);
-BENCHMARK_CAPTURE(back_up, VIN_40_channels_30_times, 1, 40);
-BENCHMARK_CAPTURE(back_up, SymVIN_8_fields_30_times, 8, 8);
+BENCHMARK_CAPTURE(back_up, VIN_10_channels_30_times, 1, 10, false);
+BENCHMARK_CAPTURE(back_up, VIN_40_channels_30_times, 1, 40, false);
+BENCHMARK_CAPTURE(back_up, SymVIN_8_fields_30_times, 8, 8, false);
+BENCHMARK_CAPTURE(back_up, VIN_10_channels_30_times_by_pairs, 1, 10, true);
+BENCHMARK_CAPTURE(back_up, SymVIN_8_fields_30_times_by_pairs, 8, 8, true);
 BENCHMARK_CAPTURE(plan, VIN_10_channels, network("vin", "c1", 10), 15);
 BENCHMARK_CAPTURE(plan, VIN_40_channels, network("vin", "c1", 40), 15);
 BENCHMARK_CAPTURE(plan, SymVIN_8_fields, network("vin", "d4", 8), 15)->Unit(benchmark::kMicrosecond);

@@ -66,6 +66,11 @@ struct Kernels {
     void (*backup)(const BackupShape&, View<const T> values, const T* filter, View<const T> rewards,
                    View<T> result, std::uint8_t* best);
 
+    /// The same step for 3x3 filters, rows in pairs, a third fewer multiplications (row_pairs.hpp): worth it
+    /// if `order` is 4 or 8. `scratch` holds row_pair_scratch(shape, values.stride) numbers.
+    void (*backup_by_pairs)(const BackupShape&, View<const T> values, const T* paired_filter,
+                            View<const T> rewards, View<T> result, std::uint8_t* best, T* scratch);
+
     /// The transpose of that step at given maximisers. Values and their gradients are interleaved here (all
     /// channels of a cell side by side; stride in cells, plane unused). `turned` is the filter as
     /// [output][tap][input]. Adds to of_values (whose halo collects what leaves the map), and, where not

@@ -17,6 +17,7 @@ struct Lanes {
     static constexpr int kCount = PRAXIS_VECTOR_BYTES / static_cast<int>(sizeof(T));
     static constexpr int kColumns = kVectors * kCount;
     typedef T Vector __attribute__((vector_size(PRAXIS_VECTOR_BYTES)));
+    typedef std::uint8_t Bytes __attribute__((vector_size(kCount)));
     static_assert(kRowUnit % kColumns == 0);
 };
 
@@ -183,13 +184,39 @@ void convolve_gradient(const ConvolutionShape& shape, View<const T> input, View<
     }
 }
 
-// The maxima over a block of fields at a block of columns, in all rows; if it is not the first block, over
-// the blocks before it too, whose maxima are in `result` and `best` already.
+// Takes the maximum over a block of fields from `field` on at one block of columns; if it is not the first
+// block, over the blocks before it too, whose maxima are in `result` and `best` already.
+template <class T, int Block, bool Record>
+inline void take_maximum(const Vector<T> (&sums)[Block][kVectors], const Vector<T> (&mask)[kVectors],
+                         int field, T* result, std::uint8_t* best) {
+    constexpr int kLanes = Lanes<T>::kCount;
+    using Bytes = typename Lanes<T>::Bytes;
+    for (int v = 0; v < kVectors; ++v) {
+        T* const to = result + v * kLanes;
+        Vector<T> maximum = sums[0][v], which = Vector<T>{} + static_cast<T>(field);
+        for (int b = 1; b < Block; ++b) {
+            const auto better = sums[b][v] > maximum;
+            maximum = better ? sums[b][v] : maximum;
+            if constexpr (Record) which = better ? Vector<T>{} + static_cast<T>(field + b) : which;
+        }
+        if (field > 0) {
+            const auto before = load<Vector<T>>(to);
+            const auto better = maximum > before;
+            maximum = better ? maximum : before;
+            if constexpr (Record) {
+                const auto bytes = load<Bytes>(best + v * kLanes);
+                which = better ? which : __builtin_convertvector(bytes, Vector<T>);
+            }
+        }
+        store(maximum * mask[v], to);
+        if constexpr (Record) store(__builtin_convertvector(which, Bytes), best + v * kLanes);
+    }
+}
+
+// A block of fields at a block of columns, in all rows.
 template <class T, int Radius, int Order, int Block, bool Record>
 void backup_block(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
                   T* result, Index result_stride, std::uint8_t* best, int field, int column) {
-    constexpr int kLanes = Lanes<T>::kCount;
-    typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
     const Index outputs = static_cast<Index>(Order) * shape.fields;
     Vector<T> mask[kVectors];
     column_mask<T>(column, shape.width, mask);
@@ -198,31 +225,136 @@ void backup_block(const BackupShape& shape, View<const T> values, const T* filte
         Vector<T> sums[Block][kVectors];
         for (int b = 0; b < Block; ++b)
             for (int v = 0; v < kVectors; ++v)
-                sums[b][v] = load<Vector<T>>(reward + b * rewards.plane + v * kLanes);
+                sums[b][v] = load<Vector<T>>(reward + b * rewards.plane + v * Lanes<T>::kCount);
         accumulate<T, Radius, Block>(sums, values.origin + row * values.stride, values.stride, values.plane,
                                      Order, filter, outputs);
-        for (int v = 0; v < kVectors; ++v) {
-            T* const to = result + row * result_stride + v * kLanes;
-            Vector<T> maximum = sums[0][v], which = Vector<T>{} + static_cast<T>(field);
-            for (int b = 1; b < Block; ++b) {
-                const auto better = sums[b][v] > maximum;
-                maximum = better ? sums[b][v] : maximum;
-                if constexpr (Record) which = better ? Vector<T>{} + static_cast<T>(field + b) : which;
-            }
-            if (field > 0) {
-                const auto before = load<Vector<T>>(to);
-                const auto better = maximum > before;
-                maximum = better ? maximum : before;
-                if constexpr (Record) {
-                    const auto bytes = load<Bytes>(best + row * rewards.stride + v * kLanes);
-                    which = better ? which : __builtin_convertvector(bytes, Vector<T>);
-                }
-            }
-            store(maximum * mask[v], to);
-            if constexpr (Record)
-                store(__builtin_convertvector(which, Bytes), best + row * rewards.stride + v * kLanes);
-        }
+        take_maximum<T, Block, Record>(sums, mask, field, result + row * result_stride,
+                                       Record ? best + row * rewards.stride : nullptr);
     }
+}
+
+// The sums of rows that the products take: scratch[(pair * 4 + product) * order + channel], rows as those of
+// values.
+template <class T>
+void sum_rows(const BackupShape& shape, View<const T> values, T* scratch) {
+    constexpr int kLanes = Lanes<T>::kCount;
+    const Index stride = values.stride, channels = shape.order;
+    for (int row = 0; row < shape.height; row += 2)
+        for (Index channel = 0; channel < channels; ++channel) {
+            const T* const d0 = values.origin + channel * values.plane + (row - 1) * stride - 1;
+            const T* const d3 = d0 + (row + 1 < shape.height ? 3 : 2) * stride;
+            T* const to = scratch + (row / 2 * 4 * channels + channel) * stride;
+            for (Index at = 0; at < stride; at += kLanes) {
+                const Index x = at + kLanes <= stride ? at : stride - kLanes;
+                const auto first = load<Vector<T>>(d0 + x), second = load<Vector<T>>(d0 + stride + x),
+                           third = load<Vector<T>>(d0 + 2 * stride + x), fourth = load<Vector<T>>(d3 + x);
+                store(first - third, to + x);
+                store(second + third, to + channels * stride + x);
+                store(third - second, to + 2 * channels * stride + x);
+                store(second - fourth, to + 3 * channels * stride + x);
+            }
+        }
+}
+
+// sums += one product at one block of columns; as accumulate, of rows of three taps.
+template <class T, int Order, int Block>
+inline void accumulate_row(Vector<T> (&sums)[Block][kVectors], const T* rows, Index stride, const T* filter,
+                           Index outputs) {
+    for (int i = 0; i < Order; ++i, rows += stride)
+        for (int x = 0; x < 3; ++x, filter += outputs) {
+            Vector<T> values[kVectors];
+            for (int v = 0; v < kVectors; ++v) values[v] = load<Vector<T>>(rows + x + v * Lanes<T>::kCount);
+            for (int b = 0; b < Block; ++b)
+                for (int v = 0; v < kVectors; ++v) sums[b][v] += values[v] * filter[b];
+        }
+}
+
+template <class T, int Order, int Block, bool Record>
+void backup_pair_block(const BackupShape& shape, const T* scratch, Index stride, const T* filter,
+                       View<const T> rewards, T* result, Index result_stride, std::uint8_t* best, int field,
+                       int column) {
+    const Index outputs = static_cast<Index>(Order) * shape.fields;
+    Vector<T> mask[kVectors];
+    column_mask<T>(column, shape.width, mask);
+    for (int row = 0; row < shape.height; row += 2) {
+        Vector<T> upper[Block][kVectors], lower[Block][kVectors];
+        const bool two = row + 1 < shape.height;
+        for (int b = 0; b < Block; ++b)
+            for (int v = 0; v < kVectors; ++v) {
+                const T* const reward =
+                    rewards.origin + row * rewards.stride + b * rewards.plane + v * Lanes<T>::kCount;
+                upper[b][v] = load<Vector<T>>(reward);
+                lower[b][v] = load<Vector<T>>(reward + (two ? rewards.stride : 0));
+            }
+        const auto product = [&](int k) {
+            return [&, k](Vector<T>(&sums)[Block][kVectors]) {
+                accumulate_row<T, Order, Block>(sums, scratch + (row / 2 * 4 + k) * Order * stride, stride,
+                                                filter + k * 3 * Order * outputs, outputs);
+            };
+        };
+        product(0)(upper);
+        Vector<T> sums[Block][kVectors] = {};
+        product(3)(sums);
+        for (int b = 0; b < Block; ++b)
+            for (int v = 0; v < kVectors; ++v) {
+                lower[b][v] -= sums[b][v];
+                sums[b][v] = Vector<T>{};
+            }
+        product(1)(sums);
+        for (int b = 0; b < Block; ++b)
+            for (int v = 0; v < kVectors; ++v) {
+                upper[b][v] += sums[b][v];
+                lower[b][v] += sums[b][v];
+                sums[b][v] = Vector<T>{};
+            }
+        product(2)(sums);
+        for (int b = 0; b < Block; ++b)
+            for (int v = 0; v < kVectors; ++v) {
+                upper[b][v] += sums[b][v];
+                lower[b][v] -= sums[b][v];
+            }
+        std::uint8_t* const where = Record ? best + row * rewards.stride : nullptr;
+        take_maximum<T, Block, Record>(upper, mask, field, result + row * result_stride, where);
+        if (two)
+            take_maximum<T, Block, Record>(lower, mask, field, result + (row + 1) * result_stride,
+                                           Record ? where + rewards.stride : nullptr);
+    }
+}
+
+template <class T, int Order, bool Record>
+void backup_pair_order(const BackupShape& shape, Index stride, const T* filter, View<const T> rewards,
+                       View<T> result, std::uint8_t* best, const T* scratch) {
+    for (int h = 0; h < Order; ++h)
+        for (int column = 0; column < shape.width; column += Lanes<T>::kColumns)
+            for_blocks(shape.fields, [&]<int Block>(int field) {
+                const Index channel = h * shape.fields + field;
+                backup_pair_block<T, Order, Block, Record>(
+                    shape, scratch + column, stride, filter + channel,
+                    {rewards.origin + channel * rewards.plane + column, rewards.stride, rewards.plane},
+                    result.origin + h * result.plane + column, result.stride,
+                    Record ? best + h * rewards.plane + column : nullptr, field, column);
+            });
+}
+
+template <class T, bool Record>
+void backup_pair_record(const BackupShape& shape, Index stride, const T* filter, View<const T> rewards,
+                        View<T> result, std::uint8_t* best, const T* scratch) {
+    switch (shape.order) {
+        case 1:
+            return backup_pair_order<T, 1, Record>(shape, stride, filter, rewards, result, best, scratch);
+        case 4:
+            return backup_pair_order<T, 4, Record>(shape, stride, filter, rewards, result, best, scratch);
+        default:
+            return backup_pair_order<T, 8, Record>(shape, stride, filter, rewards, result, best, scratch);
+    }
+}
+
+template <class T>
+void backup_by_pairs(const BackupShape& shape, View<const T> values, const T* filter, View<const T> rewards,
+                     View<T> result, std::uint8_t* best, T* scratch) {
+    sum_rows<T>(shape, values, scratch);
+    best ? backup_pair_record<T, true>(shape, values.stride, filter, rewards, result, best, scratch)
+         : backup_pair_record<T, false>(shape, values.stride, filter, rewards, result, best, scratch);
 }
 
 template <class T, int Radius, int Order, bool Record>
@@ -380,7 +512,8 @@ template <class T>
 const Kernels<T>& table() {
     static constexpr char kText[] = PRAXIS_KERNELS_TEXT;
     static constexpr Kernels<T> kTable{
-        kText, convolve<T>, convolve_gradient<T>, backup<T>, backup_gradient<T>, sigmoid<T>, tanh<T>};
+        kText,      convolve<T>, convolve_gradient<T>, backup<T>, backup_by_pairs<T>, backup_gradient<T>,
+        sigmoid<T>, tanh<T>};
     return kTable;
 }
 

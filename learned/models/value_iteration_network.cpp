@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "learned/kernels/row_pairs.hpp"
 #include "learned/layers/fixed_point.hpp"
 
 namespace praxis::learned {
@@ -14,7 +15,7 @@ struct ValueIterationNetwork<T>::Memory final : Trace<T> {
     std::vector<std::vector<std::uint8_t>> best;  // maximisers of each iteration
     Planes<T> of_values;
     Interleaved<T> values_by_cell, of_result, of_previous;
-    std::vector<T> of_turned, of_dense, scratch;
+    std::vector<T> of_turned, of_dense, scratch, row_sums;
 
     Planes<T>& values_at(int k, int order, int height, int width, int halo) {
         while (static_cast<int>(values.size()) <= k) values.emplace_back(order, height, width, halo);
@@ -53,6 +54,8 @@ void ValueIterationNetwork<T>::update() {
         value_.bound_norm(this->parameters_, static_cast<T>(this->options_.contraction));
     for (Convolution<T>* layer : {&reward_, &value_, &head_}) layer->update(this->parameters_);
     const int taps = value_.shared().shape(0, 0).taps(), order = group_.order();
+    if (order > 1 && this->options_.radius == 1)
+        pair_filter(order, value_.outputs(), value_.dense(), paired_);
     for (int o = 0; o < value_.outputs(); ++o)
         for (int t = 0; t < taps; ++t)
             for (int i = 0; i < order; ++i)
@@ -73,6 +76,8 @@ std::unique_ptr<Trace<T>> ValueIterationNetwork<T>::trace(int height, int width)
         Interleaved<T>(order, height, width, halo);
     memory->of_turned.resize(value_.dense().size());
     memory->of_dense.resize(value_.dense().size());
+    if (!paired_.empty())
+        memory->row_sums.resize(row_pair_scratch(shape(*memory), memory->of_values.stride()));
     return memory;
 }
 
@@ -90,10 +95,14 @@ void ValueIterationNetwork<T>::read_rewards(Memory& memory) const {
 }
 
 template <class T>
-void ValueIterationNetwork<T>::back_up(const Memory& memory, const Planes<T>& values, Planes<T>& result,
+void ValueIterationNetwork<T>::back_up(Memory& memory, const Planes<T>& values, Planes<T>& result,
                                        std::uint8_t* best) const {
-    kernels<T>().backup(shape(memory), values.view(), value_.dense().data(), memory.rewards.view(),
-                        result.view(), best);
+    if (paired_.empty())
+        kernels<T>().backup(shape(memory), values.view(), value_.dense().data(), memory.rewards.view(),
+                            result.view(), best);
+    else
+        kernels<T>().backup_by_pairs(shape(memory), values.view(), paired_.data(), memory.rewards.view(),
+                                     result.view(), best, memory.row_sums.data());
     if (this->options_.padding != Padding::zero) result.pad(this->options_.padding);
 }
 

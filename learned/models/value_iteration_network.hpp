@@ -36,7 +36,7 @@ class ValueIterationNetwork final : public Planner<T> {
     void read_rewards(Memory& memory) const;
     void act(Memory& memory) const;
     BackupShape shape(const Memory& memory) const;
-    void back_up(const Memory& memory, const Planes<T>& values, Planes<T>& result, std::uint8_t* best) const;
+    void back_up(Memory& memory, const Planes<T>& values, Planes<T>& result, std::uint8_t* best) const;
     void iterate(Memory& memory, bool keep) const;
     void solve(Memory& memory) const;
     /// memory.of_values, the gradient of the last values, and the gradients of head and of the last filter.
@@ -50,6 +50,7 @@ class ValueIterationNetwork final : public Planner<T> {
     Group group_;
     Convolution<T> reward_, value_, head_;
     std::vector<T> turned_;  // the filter as [output][tap][input]
+    std::vector<T> paired_;  // the filter for pairs of rows, where they pay; else empty
 };
 
 }  // namespace praxis::learned

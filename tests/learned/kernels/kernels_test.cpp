@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "learned/kernels/interleaved.hpp"
+#include "learned/kernels/row_pairs.hpp"
 #include "tests/learned/support/fields.hpp"
 
 namespace praxis::learned {
@@ -140,6 +141,27 @@ TYPED_TEST(KernelTest, BackupIsTheMaximumOverFieldsAndRecordsWhere) {
             k.backup(shape, values.view(), filter.data(), rewards.view(), result.view(), best.data());
             k.backup(shape, values.view(), filter.data(), rewards.view(), plain.view(), nullptr);
             EXPECT_EQ(largest_difference(result, plain), 0);
+            if (shape.radius == 1) {
+                std::vector<T> paired, scratch(row_pair_scratch(shape, values.stride()));
+                pair_filter(shape.order, outputs, std::span<const T>(filter), paired);
+                std::vector<std::uint8_t> best_of_pairs(best.size());
+                Planes<T> by_pairs = values;
+                k.backup_by_pairs(shape, values.view(), paired.data(), rewards.view(), by_pairs.view(),
+                                  nullptr, scratch.data());
+                EXPECT_LE(largest_difference(by_pairs, result), this->kError);
+                k.backup_by_pairs(shape, values.view(), paired.data(), rewards.view(), by_pairs.view(),
+                                  best_of_pairs.data(), scratch.data());
+                EXPECT_LE(largest_difference(by_pairs, result), this->kError);
+                std::size_t others = 0;  // rounding may break ties in another way
+                for (int h = 0; h < shape.order; ++h)
+                    for (int row = 0; row < shape.height; ++row)
+                        for (int column = 0; column < shape.width; ++column) {
+                            const auto at = static_cast<std::size_t>(h * rewards.plane() +
+                                                                     row * rewards.stride() + column);
+                            others += best[at] != best_of_pairs[at];
+                        }
+                EXPECT_LE(others, best.size() / 100);
+            }
             Planes<T> q = rewards;
             convolve_plainly(dense, values, filter, q);
             for (int h = 0; h < shape.order; ++h)
