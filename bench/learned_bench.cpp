@@ -49,6 +49,23 @@ void learn(benchmark::State& state, const PlannerOptions& options) {
     }
 }
 
+/// The way back alone, after 80 iterations forward.
+void differentiate(benchmark::State& state, const PlannerOptions& options) {
+    const auto planner = make_planner<float>(options, 1);
+    const MapProblem problem = navigation_set(15, 1, 1).problems.front();
+    const auto trace = planner->trace(15, 15);
+    draw(problem, *trace);
+    planner->record(*trace);
+    policy_loss(Loss::all_optimal, problem, trace->policy, 1.0f, trace->of_policy);
+    std::vector<float> gradient(planner->parameters().size());
+    for (auto _ : state) {
+        planner->differentiate(*trace, gradient);
+        benchmark::DoNotOptimize(gradient.data());
+    }
+    state.counters["steps back"] =
+        trace->backward_iterations ? trace->backward_iterations : trace->iterations;
+}
+
 /// The kernel that value iteration spends its time in, without its surroundings; row by row, or rows in
 /// pairs.
 void back_up(benchmark::State& state, int order, int fields, bool pairs) {
@@ -111,9 +128,13 @@ BENCHMARK_CAPTURE(plan, GPPN_40_channels, network("lstm", "c1", 40), 15)->Unit(b
 BENCHMARK_CAPTURE(learn, VIN_10_channels, network("vin", "c1", 10))->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(learn, VIN_40_channels, network("vin", "c1", 40))->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(learn, SymVIN_8_fields, network("vin", "d4", 8))->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(learn, SymVIN_8_fields_80_iterations, deep(network("vin", "d4", 8), 80))
+BENCHMARK_CAPTURE(differentiate, VIN_40_channels, deep(network("vin", "c1", 40), 80))
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(learn, ID_SymVIN_8_fields_80_iterations, implicit(network("vin", "d4", 8), 80))
+BENCHMARK_CAPTURE(differentiate, ID_VIN_40_channels, implicit(network("vin", "c1", 40), 80))
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(differentiate, SymVIN_8_fields, deep(network("vin", "d4", 8), 80))
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(differentiate, ID_SymVIN_8_fields, implicit(network("vin", "d4", 8), 80))
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(learn, ConvGPPN_40_channels, network("gru", "c1", 40))->Unit(benchmark::kMicrosecond);
 BENCHMARK(exact);
