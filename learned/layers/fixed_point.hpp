@@ -32,25 +32,21 @@ class AdjointSolver {
     template <class Apply>
     AdjointResult solve(std::span<T> u, const Apply& apply) {
         const std::size_t size = u.size();
-        points_.resize(static_cast<std::size_t>(mixed_) * size);
-        images_.resize(points_.size());
-        double of_b = 0;
-        for (const T value : u) of_b += static_cast<double>(value) * static_cast<double>(value);
+        images_.resize(static_cast<std::size_t>(mixed_) * size);
+        changes_.resize(images_.size());
+        const double of_b = dot(u, u);
         AdjointResult result;
         if (of_b == 0) return result;
         for (int k = 0; k < iterations_; ++k) {
-            const std::span<T> point = slot(points_, k % mixed_, size),
-                               image = slot(images_, k % mixed_, size);
-            std::ranges::copy(u, point.begin());
-            apply(std::span<const T>(point), image);
+            const int newest = k % mixed_, count = std::min(k + 1, mixed_);
+            const std::span<T> image = slot(images_, newest, size), change = slot(changes_, newest, size);
+            apply(std::span<const T>(u), image);
+            for (std::size_t i = 0; i < size; ++i) change[i] = image[i] - u[i];
+            for (int j = 0; j < count; ++j)
+                gram_[at(newest)][at(j)] = gram_[at(j)][at(newest)] = dot(change, slot(changes_, j, size));
             result.iterations = k + 1;
-            double squares = 0;
-            for (std::size_t i = 0; i < size; ++i) {
-                const double change = static_cast<double>(image[i]) - static_cast<double>(point[i]);
-                squares += change * change;
-            }
-            result.residual = std::sqrt(squares / of_b);
-            mix(u, std::min(k + 1, mixed_), k % mixed_, size);
+            result.residual = std::sqrt(gram_[at(newest)][at(newest)] / of_b);
+            mix(u, count, newest, size);
             if (result.residual <= tolerance_) break;
         }
         return result;
@@ -61,34 +57,41 @@ class AdjointSolver {
         return std::span<T>(values).subspan(static_cast<std::size_t>(index) * size, size);
     }
 
-    // u = sum of weights * images, the weights summing to one and minimising the combined residual.
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+    // In double, as several sums side by side that the compiler may keep in vectors.
+    static double dot(std::span<const T> a, std::span<const T> b) {
+        constexpr std::size_t kSums = 8;
+        std::array<double, kSums> sums{};
+        std::size_t i = 0;
+        for (; i + kSums <= a.size(); i += kSums)
+            for (std::size_t k = 0; k < kSums; ++k)
+                sums[k] += static_cast<double>(a[i + k]) * static_cast<double>(b[i + k]);
+        double total = 0;
+        for (const double sum : sums) total += sum;
+        for (; i < a.size(); ++i) total += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+        return total;
+    }
+
+    // u = sum of weights * images, the weights summing to one and minimising the combined change.
     void mix(std::span<T> u, int count, int newest, std::size_t size) {
         std::array<double, kMaxMixed> weights{};
         if (count == 1)
-            weights[static_cast<std::size_t>(newest)] = 1;
+            weights[at(newest)] = 1;
         else
-            find_weights(weights, count, size);
+            find_weights(weights, count);
         std::ranges::fill(u, T(0));
         for (int j = 0; j < count; ++j) {
             const std::span<T> image = slot(images_, j, size);
-            const T weight = static_cast<T>(weights[static_cast<std::size_t>(j)]);
+            const T weight = static_cast<T>(weights[at(j)]);
             for (std::size_t i = 0; i < size; ++i) u[i] += weight * image[i];
         }
     }
 
-    void find_weights(std::array<double, kMaxMixed>& weights, int count, std::size_t size) {
-        std::array<std::array<double, kMaxMixed>, kMaxMixed> gram{};
+    void find_weights(std::array<double, kMaxMixed>& weights, int count) const {
+        Matrix gram = gram_;
         double trace = 0;
-        for (std::size_t a = 0; a < static_cast<std::size_t>(count); ++a)
-            for (std::size_t b = 0; b <= a; ++b) {
-                const T *pa = &points_[a * size], *ia = &images_[a * size], *pb = &points_[b * size],
-                        *ib = &images_[b * size];
-                double sum = 0;
-                for (std::size_t i = 0; i < size; ++i)
-                    sum += static_cast<double>(ia[i] - pa[i]) * static_cast<double>(ib[i] - pb[i]);
-                gram[a][b] = gram[b][a] = sum;
-                if (a == b) trace += sum;
-            }
+        for (int a = 0; a < count; ++a) trace += gram[at(a)][at(a)];
         constexpr double kRegular = 1e-10;
         const std::size_t n = static_cast<std::size_t>(count);
         for (std::size_t a = 0; a < n; ++a) {
@@ -111,9 +114,12 @@ class AdjointSolver {
         for (std::size_t a = 0; a < n; ++a) weights[a] /= total;
     }
 
+    using Matrix = std::array<std::array<double, kMaxMixed>, kMaxMixed>;
+
     int mixed_, iterations_;
     double tolerance_;
-    std::vector<T> points_, images_;
+    std::vector<T> images_, changes_;  // A u + b, and how much it differs from u, of the last steps
+    Matrix gram_{};                    // products of the changes
 };
 
 }  // namespace praxis::learned
