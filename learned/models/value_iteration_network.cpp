@@ -114,7 +114,7 @@ void ValueIterationNetwork<T>::iterate(Memory& memory, bool keep) const {
                                 halo);
     };
     const int steps = this->options_.iterations;
-    values(steps);
+    memory.values_at(keep ? steps : 1, order, memory.rewards.height(), memory.rewards.width(), halo);
     values(0).clear();
     for (int k = 0; k < steps; ++k)
         back_up(memory, values(k), values(k + 1), keep ? memory.best_at(k) : nullptr);
