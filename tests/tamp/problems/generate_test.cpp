@@ -86,10 +86,7 @@ TEST_P(Families, TheTaskIsSolvableIfAllStreamsAreBelieved) {
 
 TEST_P(Families, TheSmallestSizeIsSolved) {
     const ProblemFamily& family = GetParam();
-    // Maps are not seen by the fast checker yet, and drives past boxes take long.
-    if (family.name == "namo" || family.name == "point-cloud-shelf" || family.name == "rooms-octomap") {
-        GTEST_SKIP() << "takes more than a unit test may";
-    }
+    if (family.name == "namo") GTEST_SKIP() << "takes more than a unit test may";
     const BoundProblem problem = bound(generate_problem(family.name, family.smallest, 1), family.name);
     const Refinement found = problem.refine(Budget().limit_wall_time(20));
     ASSERT_EQ(found.status, RefineStatus::solved) << text(found.reasons);

@@ -216,6 +216,7 @@ TEST_F(RefinementValidator, RefusesADocumentWithoutTheBody) {
         if (segment.attach) rename(segment.attach->body);
         if (segment.detach) rename(segment.detach->body);
     }
+    document.attempts.clear();
     refused("the document has no body '" + body + "'");
 }
 
