@@ -84,9 +84,9 @@ class Solver {
         if (callbacks_.on_phase) callbacks_.on_phase(name);
         const double start = thread_seconds();
         work();
-        const auto phase = std::ranges::find(solution_.phases, name, &SolvePhase::name);
-        SolvePhase& spent = phase != solution_.phases.end() ? *phase : solution_.phases.emplace_back(name);
-        spent.seconds += thread_seconds() - start;
+        auto phase = std::ranges::find(solution_.phases, name, &SolvePhase::name);
+        if (phase == solution_.phases.end()) phase = solution_.phases.insert(phase, SolvePhase{name});
+        phase->seconds += thread_seconds() - start;
     }
 
     void refine(std::uint64_t number) {
