@@ -109,13 +109,14 @@ Pose ManipulatorModel::tool(const Configuration& configuration) const {
 
 MotionResult ManipulatorModel::travel(CollisionChecker& checker, const Configuration& start,
                                       const Configuration& goal, std::uint64_t variation,
-                                      const Budget& budget) const {
+                                      const Budget& budget, int max_iterations) const {
     constexpr std::uint64_t kTries = 3;
     MotionResult found;
     for (std::uint64_t i = 0; i < kTries; ++i) {
         found = plan_motion(checker, start, std::span(&goal, 1),
                             {.seed = options.seed + variation + (i << 32),
                              .certified = options.certified,
+                             .max_iterations = max_iterations,
                              .budget = budget.within(options.plan_time)});
         if (found.status != MotionStatus::solved) return found;
         if (snap(found.path.front(), start) && snap(found.path.back(), goal)) return found;
@@ -135,8 +136,9 @@ std::optional<ManipulatorModel::Wrist> ManipulatorModel::find_wrist() const {
     if (variables.size() < 3) return std::nullopt;
     int link = effector.link;
     while (robot->links[static_cast<std::size_t>(link)].parent_joint >= 0) {
-        const Joint& joint = robot->joints[static_cast<std::size_t>(
-            robot->links[static_cast<std::size_t>(link)].parent_joint)];
+        const Joint& joint =
+            robot
+                ->joints[static_cast<std::size_t>(robot->links[static_cast<std::size_t>(link)].parent_joint)];
         if (joint.variable >= 0) {
             const bool turns = joint.type == JointType::revolute || joint.type == JointType::continuous;
             if (!turns || joint.variable != variables.back()) return std::nullopt;

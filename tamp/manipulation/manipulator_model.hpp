@@ -45,7 +45,8 @@ struct ManipulatorModel {
 
     /// A motion from `start` to `goal`, whose ends are exactly these.
     MotionResult travel(CollisionChecker& checker, const Configuration& start, const Configuration& goal,
-                        std::uint64_t variation, const Budget& budget) const;
+                        std::uint64_t variation, const Budget& budget,
+                        int max_iterations = MotionOptions().max_iterations) const;
 
   private:
     /// Maps the world to what it is for the solver, whose base is at rest.

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "tamp/manipulation/drives.hpp"
+#include "tamp/motion/certify.hpp"
+#include "tamp/motion/shortcut.hpp"
+
 namespace praxis::tamp {
 
 namespace {
@@ -138,6 +142,7 @@ bool SkillRun::try_stance(Stance& stance) {
             return false;
         }
     }
+    if (hard_drive_ && !is_reachable(stance, false)) return false;
     const auto count = static_cast<std::uint64_t>(model_.options.arm_configurations);
     for (std::uint64_t i = 0; i < count; ++i) {
         if (out_of_budget()) return false;
@@ -185,24 +190,7 @@ bool SkillRun::try_way(Stance& stance, Way& way) {
         travel(way.transfers[lift], stance, true, way.lifts[lift]->back(), "the way with it");
     if (!transfer) return false;
     Path there, away;
-    if (model_.base >= 0) {
-        const Configuration begin = model_.robot->extract(model_.group(model_.base), model_.home);
-        const bool laden_there = skill_ == Skill::place;
-        if (begin != stance.positions) {
-            const auto first = checker(laden_there, model_.base, home({}, laden_there));
-            std::optional<Path> path = drive(*first, begin, stance.positions, "the drive of the base");
-            if (!path) return false;
-            there = std::move(*path);
-            const auto second = checker(!laden_there, model_.base, home({}, !laden_there));
-            if (is_path_free(*second, there, model_.options.certified)) {
-                away = reversed(there);
-            } else {
-                path = drive(*second, stance.positions, begin, "the drive back");
-                if (!path) return false;
-                away = std::move(*path);
-            }
-        }
-    }
+    if (!drive(stance, there, away)) return false;
     assemble(stance, way, lift, std::move(*transit), std::move(*transfer), std::move(there), std::move(away));
     return true;
 }
@@ -246,8 +234,8 @@ std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stan
     const Configuration rest = home(stance, holding);
     const Configuration start = model_.robot->extract(model_.group(model_.arm), rest);
     if (!known) {
-        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_->standing(), site_->held(),
-                            stance.base};
+        const ProbeOf probe{holding ? Probe::holding_arm : Probe::passing_arm, site_->standing(),
+                            site_->held(), stance.base};
         known.emplace();
         known->found = start == end ? MotionResult{.status = MotionStatus::solved, .path = {start}}
                                     : model_.travel(*space_.checker(probe), start, end, 0, budget_);
@@ -257,7 +245,8 @@ std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stan
         if (is_free_of_others(*known, stance, holding)) return known->found.path;
         for (const Other& other : others_) {
             const ProbeOf bare{Probe::bare_arm, other.standing, 0, stance.base};
-            if (!is_path_free(*space_.checker(bare), known->found.path, false)) blockers.push_back(other.body);
+            if (!is_path_free(*space_.checker(bare), known->found.path, false))
+                blockers.push_back(other.body);
         }
     }
     const auto all = checker(holding, model_.arm, rest);
@@ -267,11 +256,75 @@ std::optional<Path> SkillRun::travel(std::optional<KnownPath>& known, const Stan
     return std::nullopt;
 }
 
-std::optional<Path> SkillRun::drive(CollisionChecker& checker, const Configuration& from, const Configuration& to,
-                                    const std::string& phase) {
-    MotionResult found = model_.travel(checker, from, to, variation_, budget_);
-    if (found.status == MotionStatus::solved) return std::move(found.path);
-    log_no_path(found, {}, phase);
+bool SkillRun::drive(const Stance& stance, Path& there, Path& away) {
+    constexpr int kEasy = 300;  // iterations
+    if (model_.base < 0) return true;
+    const Configuration begin = model_.robot->extract(model_.group(model_.base), model_.home);
+    if (begin == stance.positions) return true;
+    const bool laden_there = skill_ == Skill::place;
+    const auto find = [&](CollisionChecker& base, bool laden) -> std::optional<Path> {
+        if (!hard_drive_) {
+            MotionResult found = model_.travel(base, begin, stance.positions, variation_, budget_, kEasy);
+            if (found.status == MotionStatus::solved) return std::move(found.path);
+            hard_drive_ = true;
+        }
+        return drive_on_lattice(stance, laden);
+    };
+    const auto first = checker(laden_there, model_.base, home({}, laden_there));
+    std::optional<Path> path = find(*first, laden_there);
+    if (!path) return false;
+    there = std::move(*path);
+    const auto second = checker(!laden_there, model_.base, home({}, !laden_there));
+    if (!is_path_free(*second, there, model_.options.certified)) {
+        path = find(*second, !laden_there);
+        if (!path) return false;
+        away = std::move(*path);
+    } else {
+        away = there;
+    }
+    std::ranges::reverse(away);
+    return true;
+}
+
+std::vector<SkillSpace::Id> SkillRun::standing(bool laden) const {
+    std::vector<SkillSpace::Id> ids;
+    for (const Other& other : others_) ids.push_back(other.standing);
+    if (!laden) ids.push_back(site_->standing());
+    return ids;
+}
+
+bool SkillRun::is_reachable(const Stance& stance, bool laden) {
+    const auto held = laden ? std::optional(site_->held()) : std::nullopt;
+    const LatticeSearch::Way& way = space_.drives().way(standing(laden), held, stance.positions);
+    if (way.found && way.bodies.empty()) return true;
+    ActionFailure why{
+        .reason = Reason::no_path, .message = "there is no way for the base", .definite = false};
+    std::vector<int> bodies;
+    for (const int number : way.bodies)
+        if (const auto other = static_cast<std::size_t>(number); other < others_.size())
+            bodies.push_back(others_[other].body);
+    why.message += in_the_way(bodies);
+    if (bodies.empty())
+        log_.add_fixed(why);
+    else
+        log_.add_blocked(std::move(bodies), why);
+    return false;
+}
+
+std::optional<Path> SkillRun::drive_on_lattice(const Stance& stance, bool laden) {
+    if (!is_reachable(stance, laden)) return std::nullopt;
+    const auto held = laden ? std::optional(site_->held()) : std::nullopt;
+    Path path =
+        space_.drives().path(space_.drives().way(standing(laden), held, stance.positions), stance.positions);
+    const auto base = checker(laden, model_.base, home({}, laden));
+    shortcut(*base, path, {.seed = model_.options.seed + variation_, .budget = budget_});
+    if (is_path_free(*base, path, model_.options.certified)) return path;
+    const Budget budget = budget_.within(model_.options.plan_time);
+    const std::uint64_t seed = model_.options.seed + variation_;
+    if (certify(*base, path, {.seed = seed, .budget = budget})) return path;
+    log_.add_no_path(
+        {},
+        {.reason = Reason::no_path, .message = "no path found for the drive of the base", .definite = false});
     return std::nullopt;
 }
 
@@ -289,12 +342,15 @@ void SkillRun::log_no_path(const MotionResult& found, const std::vector<int>& bl
                 std::ranges::find(others_, met.who.index, &Other::body) != others_.end())
                 bodies.push_back(met.who.index);
     }
-    const char* joint = "; in the way: '";
-    for (const int body : bodies) {
-        why.message += joint + (*standing_world_)[body].model->name + "'";
-        joint = ", '";
-    }
+    why.message += in_the_way(bodies);
     log_.add_no_path(bodies, why);
+}
+
+std::string SkillRun::in_the_way(const std::vector<int>& bodies) const {
+    std::string text;
+    for (const int body : bodies)
+        text += (text.empty() ? "; in the way: '" : ", '") + (*standing_world_)[body].model->name + "'";
+    return text;
 }
 
 std::vector<int> SkillRun::movable_in(const std::vector<Contact>& contacts) const {
@@ -307,8 +363,8 @@ std::vector<int> SkillRun::movable_in(const std::vector<Contact>& contacts) cons
     return bodies;
 }
 
-void SkillRun::assemble(const Stance&, const Way& way, std::size_t lift, Path transit, Path transfer, Path there,
-                        Path away) {
+void SkillRun::assemble(const Stance&, const Way& way, std::size_t lift, Path transit, Path transfer,
+                        Path there, Path away) {
     std::vector<MotionPiece>& pieces = motion_.pieces;
     const auto add = [&](Kind kind, int group, Path path, bool homing) {
         if (path.size() > 1)
@@ -342,7 +398,8 @@ void SkillRun::assemble(const Stance&, const Way& way, std::size_t lift, Path tr
     add(Kind::base, model_.base, std::move(away), true);
 }
 
-std::unique_ptr<CollisionChecker> SkillRun::checker(bool holding, int group, const Configuration& rest) const {
+std::unique_ptr<CollisionChecker> SkillRun::checker(bool holding, int group,
+                                                    const Configuration& rest) const {
     return model_.checker(holding ? holding_world_ : standing_world_, group, rest);
 }
 

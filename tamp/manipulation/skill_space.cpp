@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "tamp/collision/fast_checker.hpp"
+#include "tamp/geometry/extent.hpp"
+#include "tamp/manipulation/drives.hpp"
 #include "tamp/manipulation/failure_log.hpp"
 
 namespace praxis::tamp {
@@ -36,8 +38,16 @@ SkillSpace::SkillSpace(const ManipulatorModel& model, const World& world)
     for (int body = 0; body < static_cast<int>(world.size()); ++body)
         if (!world[body].model->movable) fixed_.push_back(body);
     for (const BodyState& state : world.bodies())
-        solids_.push_back(state.model->movable ? model.solids()->make(state.model->shapes) : std::vector<Solid>());
+        solids_.push_back(state.model->movable ? model.solids()->make(state.model->shapes)
+                                               : std::vector<Solid>());
     base(model.base < 0 ? Configuration() : model.robot->extract(model.group(model.base), model.home));
+}
+
+SkillSpace::~SkillSpace() = default;
+
+Drives& SkillSpace::drives() {
+    if (!drives_) drives_ = std::make_unique<Drives>(*this);
+    return *drives_;
 }
 
 bool SkillSpace::matches(const World& world) const {
@@ -128,8 +138,8 @@ std::shared_ptr<CollisionChecker> SkillSpace::checker(const ProbeOf& probe) {
 std::shared_ptr<CollisionChecker> SkillSpace::make(const ProbeOf& probe) const {
     const bool arm = probe.probe <= Probe::bare_arm;
     const bool stands = probe.probe == Probe::open_arm || probe.probe == Probe::passing_arm ||
-                        probe.probe == Probe::bare_arm ||
-                        probe.probe == Probe::open_hand_at || probe.probe == Probe::holding_hand_at;
+                        probe.probe == Probe::bare_arm || probe.probe == Probe::open_hand_at ||
+                        probe.probe == Probe::holding_hand_at;
     const bool holds = probe.probe == Probe::holding_arm || probe.probe == Probe::holding_hand ||
                        probe.probe == Probe::holding_hand_at;
     World world = world_;
@@ -203,8 +213,8 @@ bool SkillSpace::can_carry(Id held) {
     return *held_[held].can_carry;
 }
 
-std::unique_ptr<CollisionChecker> SkillSpace::checker_among(std::span<const Id> standing, std::optional<Id> held,
-                                                            Id base) const {
+std::unique_ptr<CollisionChecker> SkillSpace::checker_among(std::span<const Id> standing,
+                                                            std::optional<Id> held, Id base) const {
     World world = world_;
     std::vector<int> bodies;
     for (const Id id : standing) {
@@ -217,6 +227,44 @@ std::unique_ptr<CollisionChecker> SkillSpace::checker_among(std::span<const Id> 
         world = world.with_attached(static_cast<int>(bodies.size()) - 1, model_.hold(held_[*held].grasp));
     return model_.checker(std::make_shared<const World>(std::move(world)), model_.arm,
                           held ? home(base, *held) : home(base));
+}
+
+std::unique_ptr<CollisionChecker> SkillSpace::base_checker(std::optional<Id> standing,
+                                                           std::optional<Id> held) const {
+    World world = world_;
+    std::vector<int> bodies = standing ? std::vector<int>{standing_[*standing].body} : fixed_;
+    if (standing) world = world.with_pose(standing_[*standing].body, standing_[*standing].pose);
+    if (held) bodies.push_back(held_[*held].body);
+    world = part_of(world, bodies, all_links_);
+    if (held)
+        world = world.with_attached(static_cast<int>(bodies.size()) - 1, model_.hold(held_[*held].grasp));
+    return model_.checker(std::make_shared<const World>(std::move(world)), model_.base,
+                          held ? home({}, *held) : home({}));
+}
+
+Ball SkillSpace::standing_bound(Id standing) const {
+    const Standing& one = standing_[standing];
+    Ball ball = bound_of(solids_[static_cast<std::size_t>(one.body)]);
+    ball.center = one.pose * ball.center;
+    return ball;
+}
+
+Ball SkillSpace::held_bound(Id held) const {
+    Ball ball = bound_of(solids_[static_cast<std::size_t>(held_[held].body)]);
+    ball.center = held_[held].grasp.body_in_tool * ball.center;
+    return ball;
+}
+
+AxisBox SkillSpace::extent() const {
+    std::optional<AxisBox> all;
+    for (const BodyState& state : world_.bodies()) {
+        const AxisBox box = tamp::extent(state.model->shapes, state.pose);
+        if (all)
+            all->include(box);
+        else
+            all = box;
+    }
+    return all.value_or(AxisBox());
 }
 
 ActionFailure SkillSpace::explain(const ProbeOf& probe, const Path& path, const std::string& phase) {

@@ -19,16 +19,18 @@
 
 namespace praxis::tamp {
 
+class Drives;
+
 /// Who may be touched, and by what of the robot.
 enum class Probe : std::uint8_t {
-    open_arm,       ///< arm and open hand; fixed bodies, and the body where it stands (the hand may touch it)
-    passing_arm,    ///< the same; the hand may not touch the body
-    holding_arm,    ///< arm and hand with the body; fixed bodies
-    bare_arm,       ///< the arm without its hand; one movable body
-    open_hand,      ///< the open hand alone; fixed bodies
-    open_hand_at,   ///< the same; one movable body
-    holding_hand,   ///< the hand with a body; fixed bodies
-    holding_hand_at ///< the same; one movable body
+    open_arm,      ///< arm and open hand; fixed bodies, and the body where it stands (the hand may touch it)
+    passing_arm,   ///< the same; the hand may not touch the body
+    holding_arm,   ///< arm and hand with the body; fixed bodies
+    bare_arm,      ///< the arm without its hand; one movable body
+    open_hand,     ///< the open hand alone; fixed bodies
+    open_hand_at,  ///< the same; one movable body
+    holding_hand,  ///< the hand with a body; fixed bodies
+    holding_hand_at  ///< the same; one movable body
 };
 
 /// What a checker is for. `standing`, `held` and `base` mean something where the probe has them.
@@ -46,6 +48,7 @@ class SkillSpace {
 
     /// `world`: its bodies that are movable are left out. Keeps a reference to the model.
     SkillSpace(const ManipulatorModel& model, const World& world);
+    ~SkillSpace();
 
     const ManipulatorModel& model() const { return model_; }
     const FlyingHand& hand() const { return hand_; }
@@ -71,6 +74,15 @@ class SkillSpace {
     /// The robot, with the open hand or holding a body, among some that stand and no others.
     std::unique_ptr<CollisionChecker> checker_among(std::span<const Id> standing, std::optional<Id> held,
                                                     Id base) const;
+    /// What is known of the drives of a mobile base.
+    Drives& drives();
+    /// Of a mobile base, the arm at home: among the fixed bodies, or with one that stands, alone.
+    std::unique_ptr<CollisionChecker> base_checker(std::optional<Id> standing, std::optional<Id> held) const;
+    /// Around a movable body: where it stands, and in the frame of the tool that holds it.
+    Ball standing_bound(Id standing) const;
+    Ball held_bound(Id held) const;
+    /// Around all bodies, as they stood in the world that was given.
+    AxisBox extent() const;
     /// The robot at home, its base at `base`, the fingers open or around what is held.
     Configuration home(Id base) const;
     Configuration home(Id base, Id held) const;
@@ -105,6 +117,7 @@ class SkillSpace {
     std::vector<Configuration> bases_;
     std::unordered_map<std::string, Id> numbers_;
     TupleMap<std::shared_ptr<CollisionChecker>> checkers_;
+    std::unique_ptr<Drives> drives_;  ///< made when they are first asked for
 };
 
 }  // namespace praxis::tamp
