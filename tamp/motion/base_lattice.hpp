@@ -38,7 +38,7 @@ class BaseLattice {
     /// Around `start` as far as the box reaches along x and y.
     BaseLattice(const Configuration& start, const AxisBox& extent, const BaseLatticeOptions& options = {});
 
-    std::size_t size() const { return static_cast<std::size_t>(columns_) * rows_ * kYaws; }
+    std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kYaws; }
     double cell() const { return cell_; }
     Pose start() const { return at(start_column_, start_row_, kYaws / 2); }
     Configuration positions(Pose pose) const;
