@@ -258,6 +258,7 @@ Ball SkillSpace::held_bound(Id held) const {
 AxisBox SkillSpace::extent() const {
     std::optional<AxisBox> all;
     for (const BodyState& state : world_.bodies()) {
+        if (state.model->shapes.empty()) continue;
         const AxisBox box = tamp::extent(state.model->shapes, state.pose);
         if (all)
             all->include(box);

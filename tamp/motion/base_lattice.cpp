@@ -81,7 +81,13 @@ LatticeMap::LatticeMap(const BaseLattice& lattice, std::unique_ptr<CollisionChec
 
 bool LatticeMap::is_free(BaseLattice::Pose pose) {
     Known& known = known_[pose];
-    if (known == Known::no) known = fixed_->is_free(lattice_.positions(pose)) ? Known::free : Known::taken;
+    if (known == Known::no) {
+        const CollisionProblem& problem = fixed_->problem();
+        const Group& base = problem.robot->groups[static_cast<std::size_t>(problem.group)];
+        const Configuration positions = lattice_.positions(pose);
+        const bool free = problem.robot->within_limits(base, positions) && fixed_->is_free(positions);
+        known = free ? Known::free : Known::taken;
+    }
     return known == Known::free;
 }
 

@@ -38,7 +38,9 @@ class BaseLattice {
     /// Around `start` as far as the box reaches along x and y.
     BaseLattice(const Configuration& start, const AxisBox& extent, const BaseLatticeOptions& options = {});
 
-    std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kYaws; }
+    std::size_t size() const {
+        return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kYaws;
+    }
     double cell() const { return cell_; }
     Pose start() const { return at(start_column_, start_row_, kYaws / 2); }
     Configuration positions(Pose pose) const;
@@ -60,7 +62,7 @@ class BaseLattice {
     int columns_, rows_, start_column_, start_row_;
 };
 
-/// Which poses of a lattice are free of the fixed bodies, for one shape of the robot.
+/// Which poses of a lattice are within limits and free of the fixed bodies, for one shape of the robot.
 class LatticeMap {
   public:
     /// `fixed`: of the base's group, among the fixed bodies alone.
